@@ -31,6 +31,7 @@ enum class Quantity : std::uint64_t {
     lever_arm_y = 20,
     lever_arm_z = 21,
     mass_signal_factor = 22,
+    handwheel_rate = 23,
 };
 
 class RandomNumbers {
@@ -93,6 +94,7 @@ RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number) {
                         factor_of(vehicle.speed_factors, draw.manoeuvre);
     draw.steering_factor = random.within(Quantity::steering_factor, manoeuvre.steering_factor) *
                            factor_of(vehicle.steering_factors, draw.manoeuvre);
+    draw.handwheel_rate_degps = random.within(Quantity::handwheel_rate, manoeuvre.handwheel_rate_degps);
     draw.friction_factor = random.within(Quantity::friction_factor, spread.friction_factor);
     draw.load_share = random.within(Quantity::load_share, spread.load_share);
     draw.load_height_factor = random.within(Quantity::load_height_factor, spread.load_height_factor);

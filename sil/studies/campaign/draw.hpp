@@ -17,6 +17,7 @@ struct RunDraw {
     bool mirrored{false};
     double speed_factor{1.0};
     double steering_factor{1.0};
+    double handwheel_rate_degps{0.0};  // 0: the manoeuvre's own; not in a row of runs.csv
     double friction_factor{1.0};
     double load_share{0.0};          // of the sprung mass
     double load_height_factor{1.0};  // of the height of the sprung CG

@@ -88,6 +88,12 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
         run.manoeuvre = ordinary_driving(draw.sensor_seed, ordinary_driving_s, draw.steering_factor);
         run.options.steering_factor = 1.0;
     }
+    // The rate is that of the hands, which the factor on the angle must not change.
+    if (draw.handwheel_rate_degps > 0.0 && manoeuvre.make_driver_at_rate) {
+        run.manoeuvre.make_driver =
+            at_rate(manoeuvre.make_driver_at_rate,
+                    from_degrees(draw.handwheel_rate_degps) / run.options.steering_factor);
+    }
     run.vehicle = vehicle;
     // The manoeuvre's changes to the vehicle belong to the truth that load and errors are counted from.
     if (manoeuvre.adapt_vehicle) {

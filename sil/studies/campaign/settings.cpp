@@ -30,8 +30,9 @@ void check_error(double share, const std::string& key) {
 }
 
 void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
+    Manoeuvre known;
     try {
-        campaign_manoeuvre(manoeuvre.name);
+        known = campaign_manoeuvre(manoeuvre.name);
     } catch (const UnknownManoeuvre& unknown) {
         throw InputError(unknown.what());
     }
@@ -39,6 +40,11 @@ void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
     check(manoeuvre.weight > 0.0 && manoeuvre.weight <= 1000.0, where + "weight", "above 0 and at most 1000");
     check_within(manoeuvre.speed_factor, 0.05, 5.0, where + "speed_factor");
     check_within(manoeuvre.steering_factor, 0.0, 10.0, where + "steering_factor");
+    if (manoeuvre.has_handwheel_rate()) {
+        check_within(manoeuvre.handwheel_rate_degps, 10.0, 2000.0, where + "handwheel_rate_degps");
+        check(static_cast<bool>(known.make_driver_at_rate), where + "handwheel_rate_degps",
+              "left out: its steering has no ramp of one rate");
+    }
     check(manoeuvre.duration_s >= 0.0 && manoeuvre.duration_s <= 600.0, where + "duration_s",
           "seconds from 0 to 600 (0: the manoeuvre's own)");
 }
@@ -207,6 +213,9 @@ std::string to_toml(const CampaignSettings& settings) {
             fmt::format("\n[[manoeuvre]]\nname = {}\nweight = {}\nspeed_factor = {}\nsteering_factor = {}\n",
                         toml_string(manoeuvre.name), toml_number(manoeuvre.weight),
                         pair(manoeuvre.speed_factor), pair(manoeuvre.steering_factor));
+        text += manoeuvre.has_handwheel_rate()
+                    ? "handwheel_rate_degps = " + pair(manoeuvre.handwheel_rate_degps) + "\n"
+                    : "";
         text += "duration_s = " + toml_number(manoeuvre.duration_s) + "\n";
     }
     return text;

@@ -48,6 +48,11 @@ struct CampaignManoeuvre {
     Interval speed_factor{1.0, 1.0};     // times the manoeuvre's speed
     Interval steering_factor{1.0, 1.0};  // times its handwheel angle
     double duration_s{0.0};              // 0: its own
+    Interval handwheel_rate_degps{};     // of its steering ramps, whatever the angle; 0: its own
+
+    bool has_handwheel_rate() const {
+        return handwheel_rate_degps.lowest != 0.0 || handwheel_rate_degps.highest != 0.0;
+    }
 };
 
 // How far the drawn quantities spread; docs/drives.md says how they are distributed. Here: not at all.

@@ -44,6 +44,7 @@ CampaignManoeuvre read_manoeuvre(TomlTable table) {
     read(table, "weight", manoeuvre.weight);
     read(table, "speed_factor", manoeuvre.speed_factor);
     read(table, "steering_factor", manoeuvre.steering_factor);
+    read(table, "handwheel_rate_degps", manoeuvre.handwheel_rate_degps);
     read(table, "duration_s", manoeuvre.duration_s);
     table.refuse_unknown_keys();
     return manoeuvre;

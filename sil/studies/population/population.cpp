@@ -99,6 +99,10 @@ std::string line_of(const FinishedVehicle& vehicle, bool names) {
     cells.number("steering_ratio", v.steering.ratio);
     cells.number("steering_lag_s", v.steering.lag_s);
     cells.number("relaxation_length_m", v.tyre.relaxation_length_m);
+    const RearSuspensionParameters& rear = v.rear_suspension;
+    cells.number("spring_progression_pm2", rear.spring_damper.progression_pm2);
+    cells.number("dry_friction", rear.spring_damper.dry_friction);
+    cells.number("frame_over_roll_stiffness", rear.frame_torsion_nmprad / p.roll_stiffness_nmprad);
     cells.number("largest_ramp_ltr", vehicle.largest_ramp_ltr);
     put_calibration(cells, "with_wheel_loads", vehicle.with_loads);
     put_calibration(cells, "without_wheel_loads", vehicle.without_loads);

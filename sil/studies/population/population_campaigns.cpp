@@ -40,19 +40,31 @@ constexpr double degrees(double value) {
     return value / degrees_per_radian;
 }
 
+// Speed of the hands in deg/s, from that of a calm turn to that of a panic; a fishhook is never calm.
+constexpr Interval hands{200.0, 1200.0};
+constexpr Interval fast_hands{500.0, 1200.0};
+
 // Steering factors are shares of what lifts the inner wheels in a slow turn; a manoeuvre's own swing adds to
 // that.
 const std::vector<ScaledManoeuvre>& scaled_driving() {
     static const std::vector<ScaledManoeuvre> list{
-        {{"j-turn-110", 1.0, {0.55, 1.1}, {0.4, 2.0}, 0.0}, Steering::angle, 0.8, degrees(360.0), 0.0},
-        {{"j-turn-45", 1.0, {1.0, 2.4}, {0.4, 1.6}, 0.0}, Steering::angle, 1.6, degrees(360.0), 0.0},
+        {{"j-turn-110", 1.0, {0.55, 1.1}, {0.4, 2.0}, 0.0, hands}, Steering::angle, 0.8, degrees(360.0), 0.0},
+        {{"j-turn-45", 1.0, {1.0, 2.4}, {0.4, 1.6}, 0.0, hands}, Steering::angle, 1.6, degrees(360.0), 0.0},
         {{"j-turn-banked", 0.5, {0.3, 0.75}, {0.9, 1.1}, 0.0}, Steering::path, 0.0, 0.0, 0.0},
-        {{"fishhook-1a", 1.0, {0.55, 1.1}, {0.4, 1.4}, 0.0}, Steering::acceleration, 0.8, 0.0, 6.5 * 0.3},
-        {{"fishhook-1b", 1.0, {0.55, 1.1}, {0.4, 1.3}, 0.0}, Steering::acceleration, 0.8, 0.0, 6.5 * 0.3},
+        {{"fishhook-1a", 1.0, {0.55, 1.1}, {0.4, 1.4}, 0.0, fast_hands},
+         Steering::acceleration,
+         0.8,
+         0.0,
+         6.5 * 0.3},
+        {{"fishhook-1b", 1.0, {0.55, 1.1}, {0.4, 1.3}, 0.0, fast_hands},
+         Steering::acceleration,
+         0.8,
+         0.0,
+         6.5 * 0.3},
         {{"sine-with-dwell", 1.0, {0.7, 1.3}, {0.6, 3.0}, 0.0}, Steering::angle, 0.95, degrees(285.0), 0.0},
         {{"double-lane-change", 1.0, {0.55, 1.3}, {0.9, 1.1}, 0.0}, Steering::path, 0.0, 0.0, 0.0},
         {{"slalom", 1.0, {0.7, 1.3}, {0.4, 1.8}, 15.0}, Steering::angle, 0.95, degrees(42.0), 0.0},
-        {{"step-steer", 1.0, {0.65, 1.3}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.4},
+        {{"step-steer", 1.0, {0.65, 1.3}, {0.35, 1.2}, 0.0, hands}, Steering::acceleration, 0.95, 0.0, 0.4},
         {{"braking-in-turn", 1.0, {0.65, 1.2}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.9, 0.0, 0.5},
         {{"rough-turn", 1.0, {0.6, 1.2}, {0.2, 0.8}, 12.0}, Steering::acceleration, 0.9, 0.0, 0.3},
         {{"slow-ramp", 0.25, {0.7, 1.4}, {1.0, 1.0}, 60.0}, Steering::straight, 0.0, 0.0, 0.0},

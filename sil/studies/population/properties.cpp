@@ -29,13 +29,44 @@ double roll_centre_height_m(const VehicleParameters& v) {
     return front_share(v) * front + (1.0 - front_share(v)) * rear;
 }
 
-double roll_stiffness_nmprad(const VehicleParameters& v) {
+double front_roll_stiffness_nmprad(const VehicleParameters& v) {
     const double track = v.geometry.track_width_m;
-    const double base = v.rear_suspension.spring_half_base_m;
     return track * track *
-               (0.5 * v.front_suspension.spring_damper.spring_npm + v.front_suspension.anti_roll_bar_npm) +
-           2.0 * base * base * v.rear_suspension.spring_damper.spring_npm +
+           (0.5 * v.front_suspension.spring_damper.spring_npm + v.front_suspension.anti_roll_bar_npm);
+}
+
+double rear_roll_stiffness_nmprad(const VehicleParameters& v) {
+    const double base = v.rear_suspension.spring_half_base_m;
+    return 2.0 * base * base * v.rear_suspension.spring_damper.spring_npm +
            v.rear_suspension.anti_roll_bar_nmprad;
+}
+
+struct BodyRoll {
+    double front_rad_pg{};  // of the part with the sensors
+    double mean_rad_pg{};   // of the mass
+};
+
+// Statics of the two parts on their suspensions, with the frame between them, or of one body.
+BodyRoll body_roll(const VehicleParameters& v, double tipping_nm) {
+    const double front = front_roll_stiffness_nmprad(v);
+    const double rear = rear_roll_stiffness_nmprad(v);
+    const double torsion = v.rear_suspension.frame_torsion_nmprad;
+    const double share = v.rear_suspension.frame_rear_share;
+    if (!(torsion > 0.0) || !(share > 0.0)) {
+        const double roll = tipping_nm / (front + rear - tipping_nm);
+        return {roll, roll};
+    }
+    const double front_tipping = (1.0 - share) * tipping_nm;
+    const double rear_tipping = share * tipping_nm;
+    const double front_net = front - front_tipping;
+    const double rear_net = rear - rear_tipping;
+    const double determinant = front_net * rear_net + torsion * (front_net + rear_net);
+    if (!(determinant > 0.0)) {
+        return {std::nan(""), std::nan("")};  // nothing holds the body up
+    }
+    const double of_front = (front_tipping * rear_net + torsion * tipping_nm) / determinant;
+    const double of_rear = (rear_tipping * front_net + torsion * tipping_nm) / determinant;
+    return {of_front, (1.0 - share) * of_front + share * of_rear};
 }
 
 double mean_damper_nspm(const SpringDamperParameters& p) {
@@ -76,13 +107,13 @@ VehicleProperties properties(const VehicleParameters& v) {
     p.static_stability_factor = 0.5 * track / p.cg_height_m;
     p.roll_centre_height_m = roll_centre_height_m(v);
     p.roll_arm_m = h - p.roll_centre_height_m;
-    p.roll_stiffness_nmprad = roll_stiffness_nmprad(v);
+    p.roll_stiffness_nmprad = front_roll_stiffness_nmprad(v) + rear_roll_stiffness_nmprad(v);
     const double tipping_nm = sprung * g_mps2 * p.roll_arm_m;
-    const double net_nmprad = p.roll_stiffness_nmprad - tipping_nm;
-    const double roll_rad_pg = tipping_nm / net_nmprad;
+    const BodyRoll roll = body_roll(v, tipping_nm);
+    const double roll_rad_pg = roll.front_rad_pg;
     p.roll_gradient_degpg = roll_rad_pg * degrees_per_radian;
     const double inertia = v.inertia.sprung_roll_kgm2 + sprung * p.roll_arm_m * p.roll_arm_m;
-    const double angular = std::sqrt(net_nmprad / inertia);
+    const double angular = std::sqrt(tipping_nm / roll_rad_pg / inertia);
     p.roll_frequency_hz = angular / (2.0 * pi);
     p.roll_damping_ratio = 0.5 * roll_damping_nmsprad(v) / (inertia * angular);
     // Roll of suspension and tyres moves the CG outwards.
@@ -91,7 +122,7 @@ VehicleProperties properties(const VehicleParameters& v) {
         mass * g_mps2 * p.cg_height_m / (tyres_nmprad - mass * g_mps2 * p.cg_height_m);
     const double tyres_m_pg = 0.25 * mass * g_mps2 * v.tyre.lateral_compliance_mpn;
     const double outwards_m_pg =
-        sprung / mass * p.roll_arm_m * roll_rad_pg + p.cg_height_m * tyres_rad_pg + tyres_m_pg;
+        sprung / mass * p.roll_arm_m * roll.mean_rad_pg + p.cg_height_m * tyres_rad_pg + tyres_m_pg;
     p.threshold_g = 0.5 * track / (p.cg_height_m + outwards_m_pg);
     p.understeer_gradient_s2pm = understeer_gradient(v, roll_rad_pg);
     const double share = front_share(v);

@@ -11,8 +11,8 @@ struct VehicleProperties {
     double roll_centre_height_m{};     // of the suspension, below the CG
     double roll_arm_m{};               // from there to the sprung CG
     double roll_stiffness_nmprad{};    // of the suspension, its stops out of reach
-    double roll_gradient_degpg{};      // of the body on its suspension
-    double roll_frequency_hz{};        // of the body on its suspension
+    double roll_gradient_degpg{};      // of the body on its suspension; in front, where the frame twists
+    double roll_frequency_hz{};        // likewise
     double roll_damping_ratio{};
     double
         threshold_g{};  // lateral acceleration that lifts the inner wheels in a slow turn, stops out of reach

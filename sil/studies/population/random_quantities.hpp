@@ -69,6 +69,13 @@ enum class Quantity : std::uint64_t {
     steering_compliance = 57,
     ramp_end = 58,
     lateral_deflection = 59,
+    progression = 60,
+    leaf_springs = 61,
+    dry_friction = 62,
+    twisting_frame = 63,
+    frame_torsion = 64,
+    frame_damping = 65,
+    frame_rear_share = 66,
 };
 
 class RandomQuantities {

@@ -1,6 +1,8 @@
-// Suspension draw: roll centres, springs with anti-roll bars, dampers and stops.
+// Suspension draw: roll centres, springs with anti-roll bars and dry friction, dampers and stops, and the
+// frame.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sil/studies/population/properties.hpp"
 #include "sil/studies/population/vehicle_draft.hpp"
@@ -66,6 +68,32 @@ void draw_springs(VehicleDraft& draft) {
     rear.anti_roll_bar_nmprad = std::max(0.0, (1.0 - share) * wanted - rear_springs);
 }
 
+// Progression and dry friction of the springs, and the frame.
+void draw_nonlinearities(VehicleDraft& draft) {
+    VehicleParameters& v = draft.vehicle;
+    constexpr double deflection_m = 0.08;  // to which the progression belongs
+    const double progression = draft.within(Quantity::progression, &VehicleClass::spring_progression);
+    const bool leaves = draft.random.happens(Quantity::leaf_springs, draft.from.leaf_spring_share);
+    const double friction = draft.within(Quantity::dry_friction, &VehicleClass::leaf_friction);
+    for (const auto& [spring, rigid] : {std::pair{&v.front_suspension.spring_damper, draft.rigid_front},
+                                        std::pair{&v.rear_suspension.spring_damper, draft.rigid_rear}}) {
+        spring->progression_pm2 = progression / (deflection_m * deflection_m);
+        spring->dry_friction = leaves && rigid ? friction : 0.0;
+    }
+    if (!draft.random.happens(Quantity::twisting_frame, draft.from.twisting_frame_share)) {
+        return;
+    }
+    RearSuspensionParameters& rear = v.rear_suspension;
+    const VehicleProperties rigid = properties(v);
+    rear.frame_rear_share = draft.within(Quantity::frame_rear_share, &VehicleClass::frame_rear_share);
+    rear.frame_torsion_nmprad =
+        rigid.roll_stiffness_nmprad *
+        draft.within(Quantity::frame_torsion, &VehicleClass::frame_over_roll_stiffness);
+    rear.frame_damping_nmsprad =
+        2.0 * draft.within(Quantity::frame_damping, &VehicleClass::frame_damping_ratio) *
+        std::sqrt(rear.frame_torsion_nmprad * rear.frame_rear_share * v.inertia.sprung_roll_kgm2);
+}
+
 void draw_dampers(VehicleDraft& draft) {
     VehicleParameters& v = draft.vehicle;
     const double ratio = draft.within(Quantity::bump_damping, &VehicleClass::bump_damping_ratio);
@@ -108,6 +136,7 @@ void draw_suspension(VehicleDraft& draft) {
     draw_springs(draft);
     draw_dampers(draft);
     draw_stops(draft);
+    draw_nonlinearities(draft);
 }
 
 }  // namespace sil

@@ -51,6 +51,13 @@ struct VehicleClass {
     Interval early_clearance_m{};
     Interval clearance_m{};
     Interval stop_over_spring_pm{};
+    Interval spring_progression{};         // growth of the stiffness by a deflection of 80 mm, as a share
+    Interval leaf_spring_share{};          // of the vehicles, on their rigid axles; both ends alike
+    Interval leaf_friction{};              // of a leaf spring, over its static load
+    Interval twisting_frame_share{};       // of the vehicles; both ends alike
+    Interval frame_over_roll_stiffness{};  // torsional stiffness over that of both suspensions
+    Interval frame_damping_ratio{};
+    Interval frame_rear_share{};         // of the sprung mass, behind the frame
     Interval tyre_deflection_m{};        // under the static load
     Interval cornering_per_load_prad{};  // cornering stiffness over load, both static
     Interval

@@ -13,7 +13,7 @@ namespace sil {
 namespace {
 
 constexpr double start_s = 2.0;
-constexpr double rate_radps = from_degrees(720.0);
+constexpr double nominal_rate_radps = from_degrees(720.0);
 constexpr double fixed_dwell_s = 0.250;
 constexpr double small_roll_rate_radps = from_degrees(1.5);
 constexpr double countersteer_held_s = 3.0;
@@ -21,8 +21,8 @@ constexpr double return_s = 2.0;
 
 class FishhookDriver final : public CopiedDriver<FishhookDriver> {
  public:
-    FishhookDriver(double amplitude_rad, FishhookReversal reversal)
-        : amplitude_rad_{amplitude_rad}, reversal_{reversal} {}
+    FishhookDriver(double amplitude_rad, double rate_radps, FishhookReversal reversal)
+        : amplitude_rad_{amplitude_rad}, rate_radps_{rate_radps}, reversal_{reversal} {}
 
     DriverCommand command(const Truth& truth) override {
         const double time_s = truth.time_s;
@@ -34,7 +34,7 @@ class FishhookDriver final : public CopiedDriver<FishhookDriver> {
 
  private:
     bool dwell_is_over(const Truth& truth) const {
-        const double dwelt_s = truth.time_s - start_s - amplitude_rad_ / rate_radps;
+        const double dwelt_s = truth.time_s - start_s - amplitude_rad_ / rate_radps_;
         if (reversal_ == FishhookReversal::after_a_fixed_dwell) {
             return dwelt_s >= fixed_dwell_s;
         }
@@ -43,15 +43,16 @@ class FishhookDriver final : public CopiedDriver<FishhookDriver> {
 
     double handwheel_rad(double time_s) const {
         if (!reversal_s_) {
-            return ramp_and_hold(time_s, start_s, rate_radps, amplitude_rad_);
+            return ramp_and_hold(time_s, start_s, rate_radps_, amplitude_rad_);
         }
-        const double countersteer = ramp_and_hold(time_s, *reversal_s_, rate_radps, 2.0 * amplitude_rad_);
-        const double end_s = *reversal_s_ + 2.0 * amplitude_rad_ / rate_radps + countersteer_held_s;
+        const double countersteer = ramp_and_hold(time_s, *reversal_s_, rate_radps_, 2.0 * amplitude_rad_);
+        const double end_s = *reversal_s_ + 2.0 * amplitude_rad_ / rate_radps_ + countersteer_held_s;
         return amplitude_rad_ - countersteer +
                ramp_and_hold(time_s, end_s, amplitude_rad_ / return_s, amplitude_rad_);
     }
 
     double amplitude_rad_;
+    double rate_radps_;
     FishhookReversal reversal_;
     std::optional<double> reversal_s_{};
 };
@@ -62,10 +63,11 @@ Manoeuvre fishhook(FishhookReversal reversal, double speed_mps,
     manoeuvre.duration_s = 10.0;
     manoeuvre.initial_speed_mps = speed_mps;
     manoeuvre.make_road = flat_road();
-    manoeuvre.make_driver = [reversal,
-                             amplitude_rad = std::move(amplitude_rad)](const VehicleParameters& parameters) {
-        return std::make_unique<FishhookDriver>(amplitude_rad(parameters), reversal);
+    manoeuvre.make_driver_at_rate = [reversal, amplitude_rad = std::move(amplitude_rad)](
+                                        const VehicleParameters& parameters, double rate_radps) {
+        return std::make_unique<FishhookDriver>(amplitude_rad(parameters), rate_radps, reversal);
     };
+    manoeuvre.make_driver = at_rate(manoeuvre.make_driver_at_rate, nominal_rate_radps);
     return manoeuvre;
 }
 

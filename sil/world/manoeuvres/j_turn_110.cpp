@@ -6,9 +6,11 @@ namespace {
 
 constexpr double start_s = 1.0;
 
-DriverCommand command(double time_s) {
-    return {ramp_and_hold(time_s, start_s, from_degrees(250.0), from_degrees(360.0)),
-            time_s < start_s ? SpeedPolicy::held : SpeedPolicy::off_throttle};
+std::unique_ptr<Driver> driver(const VehicleParameters& parameters, double rate_radps) {
+    return open_loop([rate_radps](double time_s) {
+        return DriverCommand{ramp_and_hold(time_s, start_s, rate_radps, from_degrees(360.0)),
+                             time_s < start_s ? SpeedPolicy::held : SpeedPolicy::off_throttle};
+    })(parameters);
 }
 
 }  // namespace
@@ -21,7 +23,8 @@ Manoeuvre j_turn_110() {
     manoeuvre.duration_s = 6.0;
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.make_road = flat_road();
-    manoeuvre.make_driver = open_loop(command);
+    manoeuvre.make_driver_at_rate = driver;
+    manoeuvre.make_driver = at_rate(driver, from_degrees(250.0));
     return manoeuvre;
 }
 

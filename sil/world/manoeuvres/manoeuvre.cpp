@@ -25,6 +25,14 @@ std::function<std::unique_ptr<Driver>(const VehicleParameters&)> open_loop(
     };
 }
 
+std::function<std::unique_ptr<Driver>(const VehicleParameters&)> at_rate(
+    std::function<std::unique_ptr<Driver>(const VehicleParameters&, double handwheel_radps)> make_driver,
+    double handwheel_radps) {
+    return [make_driver = std::move(make_driver), handwheel_radps](const VehicleParameters& parameters) {
+        return make_driver(parameters, handwheel_radps);
+    };
+}
+
 MakeRoad flat_road() {
     return [](std::uint64_t) { return std::make_unique<PlaneRoad>(); };
 }

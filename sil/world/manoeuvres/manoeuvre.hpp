@@ -65,6 +65,9 @@ struct Manoeuvre {
     double start_sideways_share{0.0};
     MakeRoad make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
+    // The same driver with hands of another speed, in rad/s at the handwheel; empty: no ramp that has one.
+    std::function<std::unique_ptr<Driver>(const VehicleParameters&, double handwheel_radps)>
+        make_driver_at_rate{};
     // Whether make_driver asks for handwheel_angle_at_0_3_g_rad(), so that who drives many may find it ahead.
     bool asks_for_handwheel_angle{false};
     // The manoeuvre's changes to the vehicle, such as a roof load; empty: nothing.
@@ -78,6 +81,11 @@ struct Manoeuvre {
 // A driver who acts by the clock alone: the command as a function of time in seconds.
 std::function<std::unique_ptr<Driver>(const VehicleParameters&)> open_loop(
     std::function<DriverCommand(double)> command);
+
+// A driver whose hands have the given speed.
+std::function<std::unique_ptr<Driver>(const VehicleParameters&)> at_rate(
+    std::function<std::unique_ptr<Driver>(const VehicleParameters&, double handwheel_radps)> make_driver,
+    double handwheel_radps);
 
 // A level road.
 MakeRoad flat_road();

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double first_turn_s = 2.0;
 
+double turn_angle_rad(const VehicleParameters& parameters, double acceleration_mps2) {
+    return handwheel_angle_at_0_3_g_rad(parameters) * acceleration_mps2 / (0.3 * gravity_mps2);
+}
+
 }  // namespace
 
 Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> command) {
@@ -22,8 +26,7 @@ Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> co
     manoeuvre.make_road = flat_road();
     manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [acceleration_mps2, command](const VehicleParameters& parameters) {
-        const double angle_rad =
-            handwheel_angle_at_0_3_g_rad(parameters) * acceleration_mps2 / (0.3 * gravity_mps2);
+        const double angle_rad = turn_angle_rad(parameters, acceleration_mps2);
         return open_loop([angle_rad, command](double time_s) {
             DriverCommand scaled = command(time_s);
             scaled.steering_wheel_angle_rad *= angle_rad;
@@ -51,14 +54,21 @@ Manoeuvre swings(double acceleration_mps2) {
 Manoeuvre step_steer() {
     constexpr double step_s = 0.15;  // 200 to 500 degrees/s with what this takes
     constexpr double held_s = 3.0;
-    const auto part = [](double time_s) {
-        const double rate = 1.0 / step_s;
+    const auto part = [](double time_s, double rate) {
         return ramp_and_hold(time_s, first_turn_s, rate, 1.0) -
                ramp_and_hold(time_s, first_turn_s + held_s, rate, 1.0) -
                ramp_and_hold(time_s, first_turn_s + 2.0 * held_s, rate, 1.0) +
                ramp_and_hold(time_s, first_turn_s + 3.0 * held_s, rate, 1.0);
     };
-    Manoeuvre manoeuvre = turn(4.0, [part](double time_s) { return DriverCommand{part(time_s)}; });
+    constexpr double acceleration_mps2 = 4.0;
+    Manoeuvre manoeuvre =
+        turn(acceleration_mps2, [part](double time_s) { return DriverCommand{part(time_s, 1.0 / step_s)}; });
+    manoeuvre.make_driver_at_rate = [part](const VehicleParameters& parameters, double rate_radps) {
+        const double angle_rad = turn_angle_rad(parameters, acceleration_mps2);
+        return open_loop([part, angle_rad, rate_radps](double time_s) {
+            return DriverCommand{angle_rad * part(time_s, rate_radps / angle_rad)};
+        })(parameters);
+    };
     manoeuvre.name = "step-steer";
     manoeuvre.description =
         "step steer at 50 mph, held, to about 0.4 g left, straight, right, straight: no wheel lifts (ISO "

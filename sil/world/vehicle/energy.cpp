@@ -33,10 +33,27 @@ double Vehicle::mechanical_energy_j() const {
     const double along = axle_rotation.dot(axle.direction);
     energy += 0.5 * parameters_.inertia.rear_axle_kgm2 * (axle_rotation.squaredNorm() - along * along);
     const double lift = q[2] + axle.pivot_m * (1.0 - axle.direction.y());
-    const double tilt = parameters_.rear_suspension.spring_half_base_m * axle.direction.z();
+    const double twist = model_.state.frame_twist_rad;
+    const double tilt = parameters_.rear_suspension.spring_half_base_m * (axle.direction.z() - twist);
     energy +=
         model_.rear_spring.stored_energy_j(lift + tilt) + model_.rear_spring.stored_energy_j(lift - tilt);
-    energy += 0.5 * parameters_.rear_suspension.anti_roll_bar_nmprad * q[3] * q[3];
+    const double bent = q[3] - twist;
+    energy += 0.5 * parameters_.rear_suspension.anti_roll_bar_nmprad * bent * bent;
+    const RearSuspensionParameters& rear = parameters_.rear_suspension;
+    if (rear.frame_torsion_nmprad > 0.0 && rear.frame_rear_share > 0.0) {
+        const double turning = model_.state.frame_twist_radps;
+        const double part_kg = rear.frame_rear_share * parameters_.mass.sprung_kg;
+        add_mass(-part_kg, model_.rear_part_position(0.0), Vector3::Zero());
+        add_mass(part_kg, model_.rear_part_position(twist), model_.rear_part_path(twist) * turning);
+        energy += rear.frame_rear_share * parameters_.inertia.sprung_roll_kgm2 * turning *
+                  (omega.x() + 0.5 * turning);
+        energy += 0.5 * rear.frame_torsion_nmprad * twist * twist;
+    }
+
+    for (std::size_t i = 0; i < wheel_count; ++i) {
+        const auto& spring = is_front(static_cast<int>(i)) ? model_.front_spring : model_.rear_spring;
+        energy += spring.friction_energy_j(model_.state.friction_share[i]);
+    }
 
     for (std::size_t i = 0; i < wheel_count; ++i) {
         const double deflection = model_.evaluation.wheels[i].deflection_m;

@@ -19,6 +19,7 @@ struct BasicAccelerations {
     Vector3Of<Real> linear{Vector3Of<Real>::Zero()};  // rate of the body-axes velocity components
     Vector3Of<Real> angular{Vector3Of<Real>::Zero()};
     std::array<Real, 4> suspension{};
+    Real frame_twist{0.0};
 };
 
 template <typename Real>
@@ -84,6 +85,43 @@ class EquationsOfMotion {
         heave_mass_ = mass_kg * dot3(pose.centre_by_heave, pose.centre_by_heave);
         roll_inertia_ = mass_kg * dot3(pose.centre_by_roll, pose.centre_by_roll) + inertia(0, 0);
         heave_roll_mass_ = mass_kg * dot3(pose.centre_by_heave, pose.centre_by_roll);
+    }
+
+    // A part of the body, whose mass and inertia contain it at `rest`, that turns about a longitudinal line
+    // by a coordinate of its own: now at `position`, which moves by `path` per unit of it, with the second
+    // derivative `curvature`, at `rate`. `moment` turns it against the body. In those vehicles alone for
+    // which it holds.
+    template <typename Condition>
+    void add_turning_part_if(Condition condition, Real mass_kg, Real inertia_kgm2, const Vector& rest,
+                             const Vector& position, const Vector& path, const Vector& curvature,
+                             Real rate_radps, Real moment_nm) {
+        const EquationsOfMotion before = *this;
+        add_mass(mass_kg, position);
+        add_mass(-mass_kg, rest);
+        const Vector nothing{0.0, 0.0, 0.0};
+        const Vector force = mass_kg * (free_acceleration_ - inertial(position, path * rate_radps,
+                                                                      curvature * rate_radps * rate_radps));
+        add_force(force, position);
+        add_force(-mass_kg * (free_acceleration_ - inertial(rest, nothing, nothing)), rest);
+        const Real momentum = inertia_kgm2 * rate_radps;  // in which the body turns it
+        moment_ += Vector{0.0, -momentum * angular_velocity_.z(), momentum * angular_velocity_.y()};
+
+        something_turns_ = true;
+        turning_moment_ = number::choose(condition, dot3(path, force) + moment_nm, Real{0.0});
+        turning_coupling_ << mass_kg * path, mass_kg * position.cross(path) + Vector{inertia_kgm2, 0.0, 0.0};
+        turning_inertia_ = number::choose(condition, mass_kg * dot3(path, path) + inertia_kgm2, Real{1.0});
+        mass_ = number::choose(condition, mass_, before.mass_);
+        for (int i = 0; i < 3; ++i) {
+            first_moment_[i] = number::choose(condition, first_moment_[i], before.first_moment_[i]);
+            force_[i] = number::choose(condition, force_[i], before.force_[i]);
+            moment_[i] = number::choose(condition, moment_[i], before.moment_[i]);
+            for (int j = 0; j < 3; ++j) {
+                inertia_(i, j) = number::choose(condition, inertia_(i, j), before.inertia_(i, j));
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            turning_coupling_[i] = number::choose(condition, turning_coupling_[i], Real{0.0});
+        }
     }
 
     void add_force(const Vector& force_n, const Vector& point) {
@@ -152,12 +190,24 @@ class EquationsOfMotion {
             right_hand_side -= coupling_[i] * held[i];
         }
 
+        Real held_turn{0.0};
+        Vector6Of<Real> turn_gain = Vector6Of<Real>::Zero();
+        if (something_turns_) {
+            held_turn = turning_moment_ / turning_inertia_;
+            turn_gain = turning_coupling_ / turning_inertia_;
+            matrix.subtract_product(turning_coupling_, turn_gain);
+            right_hand_side -= turning_coupling_ * held_turn;
+        }
+
         const Vector6Of<Real> body = solve_positive_definite(matrix, right_hand_side);
         BasicAccelerations<Real> result;
         result.linear = body.template head<3>();
         result.angular = body.template tail<3>();
         for (std::size_t i = 0; i < 4; ++i) {
             result.suspension[i] = held[i] - dot6(gain[i], body);
+        }
+        if (something_turns_) {
+            result.frame_twist = held_turn - dot6(turn_gain, body);
         }
         return result;
     }
@@ -203,6 +253,10 @@ class EquationsOfMotion {
     Real heave_mass_{0.0};
     Real roll_inertia_{0.0};
     Real heave_roll_mass_{0.0};
+    bool something_turns_{false};
+    Real turning_moment_{0.0};
+    Vector6Of<Real> turning_coupling_;
+    Real turning_inertia_{1.0};
 };
 
 }  // namespace sil

@@ -22,12 +22,16 @@ struct VehicleField {
 #define RSI_OPTIONAL(table, key, lowest, highest) RSI_PLACED(table, table, key, lowest, highest, true)
 #define RSI_SPRING(table, key, lowest, highest) \
     RSI_PLACED(table, table.spring_damper, key, lowest, highest, false)
+#define RSI_OPTIONAL_SPRING(table, key, lowest, highest) \
+    RSI_PLACED(table, table.spring_damper, key, lowest, highest, true)
 #define RSI_SPRING_DAMPER(table)                                                                            \
     RSI_SPRING(table, spring_npm, 1.0e3, 2.0e6), RSI_SPRING(table, jounce_clearance_m, 0.0, 1.0),           \
         RSI_SPRING(table, rebound_clearance_m, 0.0, 1.0), RSI_SPRING(table, jounce_stop_npm2, 0.0, 50.0e6), \
         RSI_SPRING(table, rebound_stop_npm2, 0.0, 50.0e6),                                                  \
         RSI_SPRING(table, damper_bump_nspm, 0.0, 500.0e3),                                                  \
-        RSI_SPRING(table, damper_rebound_nspm, 0.0, 500.0e3)
+        RSI_SPRING(table, damper_rebound_nspm, 0.0, 500.0e3),                                               \
+        RSI_OPTIONAL_SPRING(table, progression_pm2, 0.0, 500.0),                                            \
+        RSI_OPTIONAL_SPRING(table, dry_friction, 0.0, 0.3)
 
 // Table by table.
 inline constexpr VehicleField vehicle_fields[] = {
@@ -61,6 +65,9 @@ inline constexpr VehicleField vehicle_fields[] = {
     RSI_FIELD(rear_suspension, panhard_pivot_m, -0.5, 0.5),
     RSI_FIELD(rear_suspension, panhard_slope, -0.5, 0.5),
     RSI_FIELD(rear_suspension, panhard_length_m, 0.2, 3.0),
+    RSI_OPTIONAL(rear_suspension, frame_torsion_nmprad, 0.0, 100.0e6),
+    RSI_OPTIONAL(rear_suspension, frame_damping_nmsprad, 0.0, 100.0e3),
+    RSI_OPTIONAL(rear_suspension, frame_rear_share, 0.0, 0.7),
 
     RSI_FIELD(tyre, vertical_stiffness_npm, 50.0e3, 2.0e6),
     RSI_FIELD(tyre, vertical_damping_nspm, 0.0, 10.0e3),
@@ -102,6 +109,7 @@ inline constexpr VehicleField vehicle_fields[] = {
 };
 
 #undef RSI_SPRING_DAMPER
+#undef RSI_OPTIONAL_SPRING
 #undef RSI_SPRING
 #undef RSI_OPTIONAL
 #undef RSI_FIELD

@@ -38,7 +38,8 @@ struct BasicGeometryParameters {
 };
 using GeometryParameters = BasicGeometryParameters<double>;
 
-// Spring, stops and damper of one wheel. A stop adds rate * (travel beyond its clearance)^2.
+// Spring, stops and damper of one wheel. A stop adds rate * (travel beyond its clearance)^2. The spring's
+// stiffness at the deflection q is spring_npm (1 + progression_pm2 q^2).
 template <typename Real>
 struct BasicSpringDamperParameters {
     Real spring_npm{};
@@ -48,6 +49,8 @@ struct BasicSpringDamperParameters {
     Real rebound_stop_npm2{};
     Real damper_bump_nspm{};
     Real damper_rebound_nspm{};
+    Real progression_pm2{};
+    Real dry_friction{};  // between the leaves of the spring: its largest force over the spring's static load
 };
 using SpringDamperParameters = BasicSpringDamperParameters<double>;
 
@@ -63,7 +66,8 @@ struct BasicFrontSuspensionParameters {
 };
 using FrontSuspensionParameters = BasicFrontSuspensionParameters<double>;
 
-// Solid axle, located sideways by a Panhard rod: lateral path panhard_slope z + z^2 / (2 panhard_length).
+// Solid axle, located sideways by a Panhard rod: lateral path panhard_slope z + z^2 / (2 panhard_length). It
+// carries the rear part of the body, which the frame lets turn about the axle's roll centre.
 template <typename Real>
 struct BasicRearSuspensionParameters {
     BasicSpringDamperParameters<Real> spring_damper{};
@@ -73,6 +77,9 @@ struct BasicRearSuspensionParameters {
     Real panhard_pivot_m{};  // above the axle's centre
     Real panhard_slope{};
     Real panhard_length_m{};
+    Real frame_torsion_nmprad{};  // of the frame between the front and the rear part; 0: rigid
+    Real frame_damping_nmsprad{};
+    Real frame_rear_share{};  // of sprung mass and roll inertia, in the rear part
 };
 using RearSuspensionParameters = BasicRearSuspensionParameters<double>;
 

@@ -1,4 +1,5 @@
-// State of the vehicle: 14 degrees of freedom, the slip of each tyre, a load that moves, and a trailer.
+// State of the vehicle: 14 degrees of freedom, and that of a frame that twists; the slip of each tyre, the
+// dry friction of each spring, a load that moves, and a trailer.
 #pragma once
 
 #include <array>
@@ -29,6 +30,10 @@ struct BasicState {
     Vector3Of<Real> angular_velocity{Vector3Of<Real>::Zero()};       // body components
     std::array<Real, 4> suspension{};  // front left jounce, front right jounce, axle heave, axle roll
     std::array<Real, 4> suspension_rate{};
+    Real frame_twist_rad{
+        0.0};  // of the rear part of the body against the front part, > 0: leaning more to the right
+    Real frame_twist_radps{0.0};
+    std::array<Real, wheel_count> friction_share{};    // of the largest dry friction, > 0 against jounce
     std::array<Real, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward
     std::array<BasicTyreSlip<Real>, wheel_count> slip{};
     Real reached_handwheel_rad{0.0};  // the handwheel angle that the road wheels follow

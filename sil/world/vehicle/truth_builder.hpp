@@ -23,7 +23,8 @@ class TruthBuilder {
         for (std::size_t i = 0; i < wheel_count; ++i) {
             truth.wheel_gap_m[i] = number::max(0.0, -evaluation.wheels[i].deflection_m);
         }
-        const Real at_wheel = 0.5 * parameters.geometry.track_width_m * number::sin(state.suspension[3]);
+        const Real at_wheel = 0.5 * parameters.geometry.track_width_m *
+                              (number::sin(state.suspension[3]) - state.frame_twist_rad);
         truth.suspension_deflection_m = {state.suspension[0], state.suspension[1],
                                          state.suspension[2] + at_wheel, state.suspension[2] - at_wheel};
         const Vector left = evaluation.road_normal.cross(evaluation.heading);

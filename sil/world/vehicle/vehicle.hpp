@@ -1,7 +1,8 @@
 // Vehicle: body, suspensions, tyres and wheels put together, and one step of time.
 //
 // 14 degrees of freedom: body 6 (quaternion, valid at any angle), front left and right jounce, rear axle
-// heave and roll, four wheel spins. Integration is semi-implicit Euler: velocities first, positions with the
+// heave and roll, four wheel spins; and, where the frame twists, the roll of the rear part of the body.
+// Integration is semi-implicit Euler: velocities first, positions with the
 // new velocities; meant for steps of 1 ms.
 #pragma once
 

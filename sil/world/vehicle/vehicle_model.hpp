@@ -45,6 +45,8 @@ struct VehicleModel {
           rear_axle{of.rear_suspension,
                     Vector{-of.geometry.rear_axle_to_cg_m, 0.0,
                            of.geometry.wheel_radius_m - rear_tyre_deflection_m - of.geometry.cg_height_m}},
+          frame_arm_m{of.geometry.cg_height_m - of.geometry.wheel_radius_m + rear_tyre_deflection_m -
+                      of.rear_suspension.panhard_pivot_m},
           front_tyre{of.tyre, of.tyre.front_friction_factor},
           rear_tyre{of.tyre, of.tyre.rear_friction_factor} {}
 
@@ -72,6 +74,16 @@ struct VehicleModel {
                     parameters.geometry.cg_height_m + jounce};
     }
 
+    // The rear part of the body, behind a frame that twists, turns about a line through the axle's roll
+    // centre, so that the axle, which holds it there, does no work in it. Its mass is half-way to the axle,
+    // at the height of the CG. Its place is exact to the second order in the twist; its path is the
+    // derivative.
+    Vector rear_part_position(Real twist_rad) const {
+        return {-0.5 * parameters.geometry.rear_axle_to_cg_m, -frame_arm_m * twist_rad,
+                -0.5 * frame_arm_m * twist_rad * twist_rad};
+    }
+    Vector rear_part_path(Real twist_rad) const { return {0.0, -frame_arm_m, -frame_arm_m * twist_rad}; }
+
     BasicVehicleParameters<Real> parameters;
     Vector inertia;
     Real front_tyre_deflection_m;  // in static equilibrium
@@ -80,6 +92,7 @@ struct VehicleModel {
     BasicSpringDamper<Real> rear_spring;
     BasicFrontWheelPath<Real> front_path;
     BasicRearAxle<Real> rear_axle;
+    Real frame_arm_m;  // of the rear part's mass over the line about which it turns
     BasicTyre<Real> front_tyre;
     BasicTyre<Real> rear_tyre;
 
@@ -111,7 +124,9 @@ struct VehicleModel {
     }
 
     void integrate(double step_s);
-    Real suspension_forces(const BasicAxlePose<Real>& axle, EquationsOfMotion<Real>& equations) const;
+    Real suspension_forces(const BasicAxlePose<Real>& axle, double step_s,
+                           EquationsOfMotion<Real>& equations);
+    void twist_frame(Real rear_moment_nm, EquationsOfMotion<Real>& equations) const;
     template <typename Ground>
     void wheel_forces(int wheel, const WheelPose& pose, Real drive_torque_nm, Real brake_torque_nm,
                       const BasicDisturbance<Real>& disturbance, double step_s, const Ground& road,
@@ -139,6 +154,8 @@ void VehicleModel<Real>::integrate(double step_s) {
         state.suspension[i] += step_s * state.suspension_rate[i];
         state.wheel_spin_radps[i] += step_s * evaluation.wheels[i].spin_acceleration_radps2;
     }
+    state.frame_twist_radps += step_s * acceleration.frame_twist;
+    state.frame_twist_rad += step_s * state.frame_twist_radps;
     // Half the rotation vector; the series is exact to the fifth order in a step's angle.
     const Vector half = 0.5 * step_s * state.angular_velocity;
     const Real square = dot3(half, half);
@@ -218,7 +235,7 @@ void VehicleModel<Real>::evaluate(const BasicDriverInput<Real>& input, double st
                      brake * parameters.driveline.rear_brake_nm, input.disturbance, step_s, road, equations);
     }
 
-    evaluation.suspension_roll_moment_nm = suspension_forces(axle, equations);
+    evaluation.suspension_roll_moment_nm = suspension_forces(axle, step_s, equations);
 
     const Real drag = -0.5 * air_density_kgpm3 * parameters.aerodynamics.drag_area_m2 * state.velocity.x() *
                       number::abs(state.velocity.x());
@@ -356,36 +373,74 @@ void VehicleModel<Real>::add_suspension_forces_if(Condition condition, int wheel
 }
 
 template <typename Real>
-Real VehicleModel<Real>::suspension_forces(const BasicAxlePose<Real>& axle,
-                                           EquationsOfMotion<Real>& equations) const {
+Real VehicleModel<Real>::suspension_forces(const BasicAxlePose<Real>& axle, double step_s,
+                                           EquationsOfMotion<Real>& equations) {
     const auto& q = state.suspension;
     const auto& rate = state.suspension_rate;
+    const auto add_friction = [&](const BasicSpringDamper<Real>& spring, int wheel, const Real& rate_mps,
+                                  Real& force_n) {
+        const auto rubs = spring.has_friction();
+        if (number::any(rubs)) {
+            Real& share = state.friction_share[static_cast<std::size_t>(wheel)];
+            share = number::choose(rubs, spring.rubbed_share(share, step_s * rate_mps), share);
+            force_n = number::choose(rubs, force_n + spring.friction_force_n(share), force_n);
+        }
+    };
     const Real bar = parameters.front_suspension.anti_roll_bar_npm * (q[0] - q[1]);
-    const Real left = front_spring.elastic_force_n(q[0]) + front_spring.damper_force_n(rate[0]) + bar;
-    const Real right = front_spring.elastic_force_n(q[1]) + front_spring.damper_force_n(rate[1]) - bar;
+    Real left = front_spring.elastic_force_n(q[0]) + front_spring.damper_force_n(rate[0]) + bar;
+    Real right = front_spring.elastic_force_n(q[1]) + front_spring.damper_force_n(rate[1]) - bar;
+    add_friction(front_spring, front_left, rate[0], left);
+    add_friction(front_spring, front_right, rate[1], right);
     equations.add_suspension_force(0, -left);
     equations.add_suspension_force(1, -right);
     Real roll_moment = 0.5 * parameters.geometry.track_width_m * (right - left);
 
     const BasicRearSuspensionParameters<Real>& rear = parameters.rear_suspension;
+    const Real& twist = state.frame_twist_rad;
+    const Real& twist_rate = state.frame_twist_radps;
     const Real sine = axle.direction.z();
     const Real cosine = axle.direction.y();
     const Real lift = q[2] + axle.pivot_m * (1.0 - cosine);  // of the axle's centre
     const Real lift_by_roll = axle.pivot_m * sine;
-    for (const double at : {1.0, -1.0}) {
+    const Real rear_bar = rear.anti_roll_bar_nmprad * (q[3] - twist);
+    Real rear_moment = rear_bar;
+    for (const int wheel : {rear_left, rear_right}) {
+        const double at = side_of(wheel);
         const Real spring_at = at * rear.spring_half_base_m;
         const Real damper_at = at * rear.damper_half_base_m;
-        const Real spring = rear_spring.elastic_force_n(lift + spring_at * sine);
-        const Real damper =
-            rear_spring.damper_force_n(rate[2] + (lift_by_roll + damper_at * cosine) * rate[3]);
+        Real spring = rear_spring.elastic_force_n(lift + spring_at * (sine - twist));
+        const Real damper = rear_spring.damper_force_n(
+            rate[2] + (lift_by_roll + damper_at * cosine) * rate[3] - damper_at * twist_rate);
+        add_friction(rear_spring, wheel,
+                     rate[2] + (lift_by_roll + spring_at * cosine) * rate[3] - spring_at * twist_rate,
+                     spring);
         equations.add_suspension_force(2, -(spring + damper));
         equations.add_suspension_force(3, -(spring * (lift_by_roll + spring_at * cosine) +
                                             damper * (lift_by_roll + damper_at * cosine)));
         roll_moment -= spring * spring_at + damper * damper_at;
+        rear_moment += spring * spring_at + damper * damper_at;
     }
-    const Real rear_bar = rear.anti_roll_bar_nmprad * q[3];
     equations.add_suspension_force(3, -rear_bar);
+    twist_frame(rear_moment, equations);
     return roll_moment - rear_bar;
+}
+
+// `rear_moment_nm`: of the rear suspension.
+template <typename Real>
+void VehicleModel<Real>::twist_frame(Real rear_moment_nm, EquationsOfMotion<Real>& equations) const {
+    const BasicRearSuspensionParameters<Real>& rear = parameters.rear_suspension;
+    const Real& share = rear.frame_rear_share;
+    const auto twists = rear.frame_torsion_nmprad > 0.0 && share > 0.0;
+    if (!number::any(twists)) {
+        return;
+    }
+    const Real& twist = state.frame_twist_rad;
+    const Real moment = rear_moment_nm - rear.frame_torsion_nmprad * twist -
+                        rear.frame_damping_nmsprad * state.frame_twist_radps;
+    equations.add_turning_part_if(twists, share * parameters.mass.sprung_kg,
+                                  share * parameters.inertia.sprung_roll_kgm2, rear_part_position(0.0),
+                                  rear_part_position(twist), rear_part_path(twist),
+                                  Vector{0.0, 0.0, -frame_arm_m}, state.frame_twist_radps, moment);
 }
 
 }  // namespace sil

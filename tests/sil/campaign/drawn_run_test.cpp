@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "rsi/parameters.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/campaign_run.hpp"
+#include "sil/units.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 #include "tests/sil/campaign/small_campaign.hpp"
@@ -170,6 +174,38 @@ TEST(DrawnRun, SensorsSitWhereAndAsTheDrawSays) {
     EXPECT_NEAR(drawn.tilt.roll_rad, 1.0 * 3.14159265358979 / 180.0, 1e-12);
     EXPECT_NEAR(drawn.tilt.pitch_rad, -2.0 * 3.14159265358979 / 180.0, 1e-12);
     EXPECT_NEAR(drawn.tilt.yaw_rad, 1.5 * 3.14159265358979 / 180.0, 1e-12);
+}
+
+// Largest speed of the hands in a run, deg/s.
+double fastest_hands_degps(const sil::DrawnRun& drawn) {
+    sil::ManoeuvreRun run{drawn.vehicle, drawn.manoeuvre, drawn.options};
+    double fastest = 0.0;
+    double before = 0.0;
+    while (!run.finished()) {
+        run.step();
+        const double now = run.truth().steering_wheel_angle_rad * sil::degrees_per_radian;
+        fastest = std::max(fastest, std::abs(now - before) / run.step_s());
+        before = now;
+    }
+    return fastest;
+}
+
+TEST(DrawnRun, HandsTurnAtTheDrawnRateWhateverTheAngle) {
+    const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    for (const char* const name : {"j-turn-110", "j-turn-45", "fishhook-1a", "fishhook-1b", "step-steer"}) {
+        sil::RunDraw draw;
+        draw.steering_factor = 0.4;
+        const sil::Manoeuvre manoeuvre = sil::find_manoeuvre(name);
+        const double own =
+            fastest_hands_degps(sil::drawn_run(small_campaign(1U), draw, built, {}, manoeuvre));
+        for (const double rate : {300.0, 1200.0}) {
+            draw.handwheel_rate_degps = rate;
+            const double fastest =
+                fastest_hands_degps(sil::drawn_run(small_campaign(1U), draw, built, {}, manoeuvre));
+            EXPECT_NEAR(fastest, rate, 1.0e-6 * rate) << name;
+        }
+        EXPECT_LT(own, 300.0) << name;
+    }
 }
 
 TEST(DrawnRun, ALoadChangesTheTrueVehicle) {

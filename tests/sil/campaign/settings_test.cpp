@@ -57,7 +57,7 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     const std::string without = sil::to_toml(settings);
     for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor",
                             "changes", "learning_s", "mass_sensor", "housing_tilt_deg", "lever_arm_error_m",
-                            "mass_signal_factor", "intervention"}) {
+                            "mass_signal_factor", "intervention", "handwheel_rate_degps"}) {
         EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
     }
     settings.vehicles[1].in_class = "light truck";
@@ -70,6 +70,7 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     settings.spread.housing_tilt_deg = 2.0;
     settings.spread.lever_arm_error_m = 0.1;
     settings.spread.mass_signal_factor = {0.85, 1.3};
+    settings.manoeuvres[0].handwheel_rate_degps = {200.0, 1200.0};
     settings.learning_s = 120.0;
     settings.changes = {"warning_on=0.9", "warning_hold_s=1"};
     settings.intervention = {"published", 0.75, {sil::InterventionKind::brake, 0.1, 0.2, 4.0, 0.0}};
@@ -85,6 +86,8 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     EXPECT_EQ(read.spread.housing_tilt_deg, 2.0);
     EXPECT_EQ(read.spread.lever_arm_error_m, 0.1);
     EXPECT_EQ(read.spread.mass_signal_factor.highest, 1.3);
+    EXPECT_EQ(read.manoeuvres[0].handwheel_rate_degps.highest, 1200.0);
+    EXPECT_FALSE(read.manoeuvres[1].has_handwheel_rate());
     EXPECT_EQ(read.changes, settings.changes);
     EXPECT_EQ(read.learning_s, settings.learning_s);
     ASSERT_TRUE(read.intervention.has_value());
@@ -196,6 +199,10 @@ TEST(CampaignSettings, ErrorsAreNamedWithLineAndKey) {
     expect_refused(vehicle + "speed_factors = [0.04]\n" + turn, "one number from 0.05 to 20");
     expect_refused(vehicle + "speed_factors = [20.1]\n" + turn, "one number from 0.05 to 20");
     expect_refused(vehicle + "class = \"a,b\"\n", "vehicle a: class");
+    expect_refused(turn + "handwheel_rate_degps = [300, 0]\n",
+                   "handwheel_rate_degps\" must be two numbers from 10");
+    expect_refused("[[manoeuvre]]\nname = \"slalom\"\nhandwheel_rate_degps = [300, 400]\n",
+                   "must be left out: its steering has no ramp of one rate");
     expect_refused("runs = \n", "mine.toml:1: not valid TOML");
 }
 

@@ -55,6 +55,18 @@ TEST(PopulationCampaigns, AJTurnAsksEveryVehicleForTheSameShareOfItsThreshold) {
     }
 }
 
+TEST(PopulationCampaigns, HandsTurnAtUpTo1200DegreesASecond) {
+    int ramps = 0;
+    for (const sil::CampaignManoeuvre& manoeuvre : sil::population_manoeuvres()) {
+        if (manoeuvre.handwheel_rate_degps.highest > 0.0) {
+            ++ramps;
+            EXPECT_TRUE(sil::find_manoeuvre(manoeuvre.name).make_driver_at_rate) << manoeuvre.name;
+            EXPECT_EQ(manoeuvre.handwheel_rate_degps.highest, 1200.0) << manoeuvre.name;
+        }
+    }
+    EXPECT_EQ(ramps, 5);
+}
+
 TEST(PopulationCampaigns, TippierVehiclesTakeACourseOfConesMoreSlowly) {
     const std::vector<sil::CampaignManoeuvre>& manoeuvres = sil::population_manoeuvres();
     const auto at = std::find_if(manoeuvres.begin(), manoeuvres.end(),

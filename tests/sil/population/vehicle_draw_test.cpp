@@ -130,6 +130,63 @@ TEST(VehicleDraw, DimensionsLieBetweenTheEndsOfTheClassAndReachNearThem) {
     }
 }
 
+TEST(VehicleDraw, SpringsAndFramesAreThoseOfTheClass) {
+    for (std::size_t index = 0U; index < sil::vehicle_classes().size(); ++index) {
+        const sil::VehicleClass& from = sil::vehicle_classes()[index];
+        const std::vector<sil::DrawnVehicle> vehicles = of_class(index);
+        int leaves = 0, twist = 0, rigid = 0;
+        double most_progressive = 0.0;
+        for (const sil::DrawnVehicle& vehicle : vehicles) {
+            const sil::RearSuspensionParameters& rear = vehicle.parameters.rear_suspension;
+            const sil::SpringDamperParameters& front = vehicle.parameters.front_suspension.spring_damper;
+            const double progression = rear.spring_damper.progression_pm2 * 0.08 * 0.08;
+            EXPECT_GE(progression, from.spring_progression.lowest) << vehicle.name;
+            EXPECT_LE(progression, from.spring_progression.highest) << vehicle.name;
+            EXPECT_EQ(front.progression_pm2, rear.spring_damper.progression_pm2) << vehicle.name;
+            most_progressive = std::max(most_progressive, progression);
+            const double friction = rear.spring_damper.dry_friction;
+            rigid += vehicle.rigid_rear ? 1 : 0;
+            leaves += friction > 0.0 ? 1 : 0;
+            EXPECT_TRUE(friction == 0.0 || (vehicle.rigid_rear && friction >= from.leaf_friction.lowest &&
+                                            friction <= from.leaf_friction.highest))
+                << vehicle.name;
+            EXPECT_EQ(front.dry_friction, vehicle.rigid_front ? friction : 0.0) << vehicle.name;
+            twist += rear.frame_torsion_nmprad > 0.0 ? 1 : 0;
+            if (rear.frame_torsion_nmprad > 0.0) {
+                const double share = rear.frame_torsion_nmprad / vehicle.properties.roll_stiffness_nmprad;
+                EXPECT_GE(share, from.frame_over_roll_stiffness.lowest - 1e-9) << vehicle.name;
+                EXPECT_LE(share, from.frame_over_roll_stiffness.highest + 1e-9) << vehicle.name;
+                EXPECT_GE(rear.frame_rear_share, from.frame_rear_share.lowest) << vehicle.name;
+                EXPECT_LE(rear.frame_rear_share, from.frame_rear_share.highest) << vehicle.name;
+            }
+        }
+        const auto share_of = [&](int count, int all) {
+            return static_cast<double>(count) / std::max(1, all);
+        };
+        EXPECT_GT(most_progressive, 0.9 * from.spring_progression.highest) << from.name;
+        EXPECT_NEAR(share_of(leaves, rigid), from.leaf_spring_share.lowest, 0.17) << from.name;
+        EXPECT_NEAR(share_of(twist, static_cast<int>(vehicles.size())), from.twisting_frame_share.lowest,
+                    0.15)
+            << from.name;
+    }
+}
+
+TEST(VehicleDraw, TheWholeReachesBeyondOthersVehicles) {
+    sil::VehicleProperties least = population().front().properties;
+    double most_grip = 0.0;
+    for (const sil::DrawnVehicle& vehicle : population()) {
+        const sil::VehicleProperties& p = vehicle.properties;
+        least.threshold_g = std::min(least.threshold_g, p.threshold_g);
+        least.roll_frequency_hz = std::min(least.roll_frequency_hz, p.roll_frequency_hz);
+        least.roll_damping_ratio = std::min(least.roll_damping_ratio, p.roll_damping_ratio);
+        most_grip = std::max(most_grip, p.grip / p.threshold_g);
+    }
+    EXPECT_LT(least.threshold_g, 0.55);
+    EXPECT_LT(least.roll_frequency_hz, 0.75);
+    EXPECT_LT(least.roll_damping_ratio, 0.0235);
+    EXPECT_GT(most_grip, 1.9);
+}
+
 TEST(VehicleDraw, TheWholeCoversWhatWasAskedFor) {
     double lightest = 1e9, heaviest = 0.0, lowest_centre = 1.0, highest_centre = 0.0;
     int rigid = 0, can_lift = 0;

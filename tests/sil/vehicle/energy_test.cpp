@@ -20,6 +20,12 @@ sil::InitialState disturbance() {
     return initial;
 }
 
+sil::VehicleParameters rubbing(sil::VehicleParameters parameters) {
+    parameters.front_suspension.spring_damper.dry_friction = 0.05;
+    parameters.rear_suspension.spring_damper.dry_friction = 0.05;
+    return parameters;
+}
+
 // Largest change of energy over three seconds, as a share of what the disturbance brought in.
 double energy_drift(const sil::VehicleParameters& parameters, double step_s) {
     sil::Vehicle vehicle{parameters, ice()};
@@ -35,7 +41,9 @@ double energy_drift(const sil::VehicleParameters& parameters, double step_s) {
 }
 
 TEST(Energy, NeverGrowsInFreeDecayWithDampersOn) {
-    for (const sil::VehicleParameters& parameters : {scenario::large_suv(), scenario::ordinary_suv()}) {
+    for (const sil::VehicleParameters& parameters :
+         {scenario::large_suv(), scenario::ordinary_suv(), rubbing(scenario::ordinary_suv()),
+          scenario::twisting(rubbing(scenario::van()), 30.0e3)}) {
         sil::Vehicle vehicle{parameters, ice()};
         const double at_rest = vehicle.mechanical_energy_j();
         vehicle.reset(disturbance());
@@ -59,6 +67,35 @@ TEST(Energy, IsKeptWithoutDampersUpToAnErrorThatShrinksWithTheStep) {
     EXPECT_LT(energy_drift(parameters, 1.0 / 1000.0), 0.05);
     EXPECT_LT(energy_drift(parameters, 1.0 / 4000.0), 0.0125);
     EXPECT_LT(energy_drift(parameters, 1.0 / 16000.0), 0.0031);
+}
+
+TEST(Energy, IsKeptByProgressiveSpringsAndAFrameThatTwists) {
+    sil::VehicleParameters parameters = scenario::undamped(scenario::twisting(scenario::large_suv(), 40.0e3));
+    parameters.rear_suspension.frame_damping_nmsprad = 0.0;
+    parameters.front_suspension.spring_damper.progression_pm2 = 150.0;
+    parameters.rear_suspension.spring_damper.progression_pm2 = 150.0;
+    EXPECT_LT(energy_drift(parameters, 1.0 / 1000.0), 0.05);
+    EXPECT_LT(energy_drift(parameters, 1.0 / 4000.0), 0.0125);
+    EXPECT_LT(energy_drift(parameters, 1.0 / 16000.0), 0.0031);
+}
+
+// Without dampers only the friction is left: it takes energy in every step, and what it cannot move stays.
+TEST(Energy, IsTakenByDryFriction) {
+    const sil::VehicleParameters parameters = scenario::undamped(rubbing(scenario::large_suv()));
+    sil::Vehicle vehicle{parameters, ice()};
+    const double at_rest = vehicle.mechanical_energy_j();
+    vehicle.reset(disturbance());
+    const double brought_in = vehicle.mechanical_energy_j() - at_rest;
+    double before = brought_in;
+    for (int second = 0; second < 3; ++second) {
+        for (int step = 0; step < 1000; ++step) {
+            vehicle.step({});
+        }
+        const double now = vehicle.mechanical_energy_j() - at_rest;
+        EXPECT_LT(now, 0.9 * before) << "second " << second;
+        before = now;
+    }
+    EXPECT_LT(before, 0.3 * brought_in);
 }
 
 TEST(Energy, IsKeptWhileTumblingThroughTheAir) {

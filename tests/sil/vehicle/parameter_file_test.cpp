@@ -108,6 +108,25 @@ TEST_F(ParameterFile, LagAndComplianceOfTheSteeringMayBeLeftOut) {
                  "steering.compliance_radpn", "from 0 to 0.0001");
 }
 
+TEST_F(ParameterFile, ProgressionFrictionAndFrameMayBeLeftOut) {
+    std::string text = good_text();
+    for (const char* const line :
+         {"progression_pm2 = 0.0\n", "dry_friction = 0.0\n", "progression_pm2 = 0.0\n",
+          "dry_friction = 0.0\n", "frame_torsion_nmprad = 0.0\n", "frame_damping_nmsprad = 0.0\n",
+          "frame_rear_share = 0.0\n"}) {
+        const std::size_t position = text.find(line);
+        ASSERT_NE(position, std::string::npos) << line;
+        text.erase(position, std::string{line}.size());
+    }
+    test_support::write_text(path_, text);
+    const sil::RearSuspensionParameters rear = sil::load_vehicle(path_).rear_suspension;
+    EXPECT_EQ(rear.spring_damper.progression_pm2, 0.0);
+    EXPECT_EQ(rear.spring_damper.dry_friction, 0.0);
+    EXPECT_EQ(rear.frame_torsion_nmprad, 0.0);
+    expect_error(replaced("frame_rear_share = 0.0", "frame_rear_share = 0.8"), "frame_rear_share",
+                 "rear_suspension.frame_rear_share", "from 0 to 0.7");
+}
+
 TEST_F(ParameterFile, ATextInPlaceOfANumberIsRefused) {
     expect_error(replaced("ratio = 20.0", "ratio = \"20\""), "ratio = \"20\"", "steering.ratio",
                  "plain number");

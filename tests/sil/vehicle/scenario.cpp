@@ -81,6 +81,13 @@ sil::VehicleParameters undamped(sil::VehicleParameters parameters) {
     return parameters;
 }
 
+sil::VehicleParameters twisting(sil::VehicleParameters parameters, double torsion_nmprad) {
+    parameters.rear_suspension.frame_torsion_nmprad = torsion_nmprad;
+    parameters.rear_suspension.frame_damping_nmsprad = 1000.0;
+    parameters.rear_suspension.frame_rear_share = 0.5;
+    return parameters;
+}
+
 sil::Manoeuvre manoeuvre(double speed_kmh, double duration_s,
                          std::function<sil::DriverCommand(double)> command) {
     sil::Manoeuvre result;

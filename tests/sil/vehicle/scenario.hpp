@@ -1,6 +1,7 @@
 // Scenario: what the vehicle tests share, so that each of them reads as a story.
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
@@ -11,6 +12,7 @@
 namespace scenario {
 
 constexpr double not_yet = -1.0;
+constexpr double degree = 3.14159265358979323846 / 180.0;
 
 sil::VehicleParameters large_suv();
 sil::VehicleParameters ordinary_suv();
@@ -21,6 +23,9 @@ sil::VehicleParameters symmetric(sil::VehicleParameters parameters);
 
 // The same vehicle without damping in suspensions and tyres.
 sil::VehicleParameters undamped(sil::VehicleParameters parameters);
+
+// The same vehicle on a frame of the given torsional stiffness, half of the sprung mass behind it.
+sil::VehicleParameters twisting(sil::VehicleParameters parameters, double torsion_nmprad);
 
 sil::Manoeuvre manoeuvre(double speed_kmh, double duration_s,
                          std::function<sil::DriverCommand(double)> command);
@@ -49,6 +54,22 @@ struct Outcome {
     double largest_rsi{0.0};
     double final_ay_g{0.0};
     double final_roll_deg{0.0};
+};
+
+// A plane that the test turns about the x axis, with a surface that does not let the vehicle slide.
+class TiltTable final : public sil::Road {
+ public:
+    void tilt_to(double angle_rad) { angle_rad_ = angle_rad; }
+    sil::RoadPoint at(double /*x_m*/, double y_m) const noexcept override {
+        sil::RoadPoint point;
+        point.height_m = std::tan(angle_rad_) * y_m;
+        point.normal = {0.0, -std::sin(angle_rad_), std::cos(angle_rad_)};
+        point.friction_factor = 4.0;
+        return point;
+    }
+
+ private:
+    double angle_rad_{0.0};
 };
 
 // Drives to the end and notes what happened. The RSI is the paper's threshold written as

@@ -7,24 +7,7 @@
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180.0;
-
-// A plane that the test turns about the x axis, with a surface that does not let the vehicle slide.
-class TiltTable final : public sil::Road {
- public:
-    void tilt_to(double angle_rad) { angle_rad_ = angle_rad; }
-    sil::RoadPoint at(double /*x_m*/, double y_m) const noexcept override {
-        sil::RoadPoint point;
-        point.height_m = std::tan(angle_rad_) * y_m;
-        point.normal = {0.0, -std::sin(angle_rad_), std::cos(angle_rad_)};
-        point.friction_factor = 4.0;
-        return point;
-    }
-
- private:
-    double angle_rad_{0.0};
-};
+using scenario::degree;
 
 struct Tipping {
     double angle_rad{0.0};
@@ -34,7 +17,7 @@ struct Tipping {
 
 // Tilts at one degree a second, left side up, until both left wheels are off.
 Tipping tilt_until_two_wheels_lift(const sil::VehicleParameters& parameters) {
-    TiltTable table;
+    scenario::TiltTable table;
     sil::Vehicle vehicle{parameters, table};
     for (int step = 0; step < 60000; ++step) {
         const double angle_rad = step * 0.001 * degree;

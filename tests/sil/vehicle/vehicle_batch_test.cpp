@@ -38,6 +38,13 @@ class Mixture {
         vehicle = sil::with_load(vehicle, between(0.0, 400.0), between(0.5, 1.9));
         vehicle = sil::with_friction(vehicle, between(0.7, 1.3));
         vehicle.steering.lag_s = random_() % 2U == 0U ? 0.0 : 0.05;
+        if (random_() % 2U == 0U) {
+            vehicle.rear_suspension.spring_damper.dry_friction = between(0.02, 0.08);
+            vehicle.front_suspension.spring_damper.progression_pm2 = between(0.0, 100.0);
+        }
+        if (random_() % 2U == 0U) {
+            vehicle = scenario::twisting(vehicle, between(10.0e3, 200.0e3));
+        }
         sil::RunOptions options;
         options.mirrored = random_() % 2U == 0U;
         options.duration_s = between(0.3, 5.0);
