@@ -10,7 +10,7 @@ set datafile missing "-"
 array colours[4] = [blue, orange, vermilion, black]
 array names[4] = ["population", "commonroad", "jointed", "published"]
 of_group(i, value) = column(7) == i ? value : NaN
-is_limit() = column(4) != column(4) && column(5) != column(5)  # no middle, no high: all above
+is_limit(unused) = column(4) != column(4) && column(5) != column(5)  # no middle, no high: all above
 set yrange [lines + 0.5:0.5]
 set offsets graph 0.02, graph 0.02, 0, 0
 set xlabel axis
@@ -27,6 +27,6 @@ plot for [i = 1:4] rows using 2:(of_group(i, column(1))):(column(6) - column(2))
      for [i = 1:4] rows using 4:(of_group(i, column(1))) with points pointtype 7 pointsize 1.5 linecolor rgb "white" notitle, \
      for [i = 1:4] rows using 4:(of_group(i, column(1))) with points pointtype 7 pointsize 1.1 linecolor rgb colours[i] \
          title names[i], \
-     rows using 3:(is_limit() ? column(1) : NaN):((largest - least) / 8):(0) with vectors head filled linewidth 1.5 \
+     rows using 3:(is_limit(0) ? column(1) : NaN):((largest - least) / 8):(0) with vectors head filled linewidth 1.5 \
          linecolor rgb black notitle, \
      rows using (NaN):1:ytic(8) notitle

@@ -7,7 +7,7 @@ import typing
 import file_io
 from vehicle_quantities import UNITS
 
-# What of a source was read for this project, and how a page says so.
+# How much of a source was read for this project, and how a page says so.
 READ = {"data": "its data", "text": "its text or abstract", "quoted": "another's text that quotes it",
         "not read": "**nothing: from knowledge of the source**"}
 SOURCE_TEXTS = ("author", "title", "place", "read")

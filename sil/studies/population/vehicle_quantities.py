@@ -1,8 +1,10 @@
-"""Quantities in which vehicles are compared, whoever drew or measured them; and how a spread of values is told."""
+"""Quantities in which drawn, foreign and published vehicles are compared, and their spread."""
 
+import csv
+import io
 import math
 
-# In the order of the pages. Population and foreign vehicles are told by the same names.
+# In the order of the pages; the names are those of population and foreign vehicles alike.
 UNITS = {
     "mass": "kg",
     "CG height": "m",
@@ -30,7 +32,7 @@ def at_share(values, share):
 
 
 def roll_gyration_over_track(sprung_kg, unsprung_kg, sprung_height_m, wheel_radius_m, track_m, sprung_inertia_kgm2):
-    """Of the whole vehicle about its CG, as inertia rigs measure it. The unsprung masses are taken to be at the wheels."""
+    """That of the whole vehicle about its CG, as inertia rigs measure it. The unsprung masses are taken to be at the wheels."""
     total = sprung_kg + unsprung_kg
     height = (sprung_kg * sprung_height_m + unsprung_kg * wheel_radius_m) / total
     inertia = (sprung_inertia_kgm2 + sprung_kg * (sprung_height_m - height)**2
@@ -41,3 +43,13 @@ def roll_gyration_over_track(sprung_kg, unsprung_kg, sprung_height_m, wheel_radi
 def characteristic_speed_kmh(wheelbase_m, understeer_s2pm):
     """The speed at which an understeering vehicle takes twice the angle of a slow turn; None for the others."""
     return 3.6 * math.sqrt(wheelbase_m / understeer_s2pm) if understeer_s2pm > 0.0 else None
+
+
+def csv_text(names, quantities):
+    """A line a vehicle: first its names, then its quantities, empty where nothing is known. Both are columns by name."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([*names, *quantities])
+    for line in zip(*names.values(), *([None if value is None else f"{value:.6g}" for value in column] for column in quantities.values())):
+        writer.writerow(line)
+    return text.getvalue()
