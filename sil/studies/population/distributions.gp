@@ -1,5 +1,6 @@
 # One line a class of vehicles or a published value: from low to high, with the middle; the population's least and largest.
-# Expects: rows, a file of tabs (place, outer low, low, middle, high, outer high, group, label), lines, least, largest, axis.
+# Expects: rows, a file of tabs (place, outer low, low, middle, high, outer high, group, label), lines, least, largest, axis,
+# logarithmic (0 or 1), lowest and highest of all numbers.
 width = 1000
 height = 100 + 17 * lines
 load scripts."/picture_style.gp"
@@ -14,6 +15,10 @@ is_limit(unused) = column(4) != column(4) && column(5) != column(5)  # no middle
 set yrange [lines + 0.5:0.5]
 set offsets graph 0.02, graph 0.02, 0, 0
 set xlabel axis
+if (logarithmic) {
+    set logscale x
+    set xrange [lowest / 1.2:highest * 1.2]
+}
 set ytics scale 0
 set arrow from least, graph 0 to least, graph 1 nohead dashtype 2 linecolor rgb grey
 set arrow from largest, graph 0 to largest, graph 1 nohead dashtype 2 linecolor rgb grey
