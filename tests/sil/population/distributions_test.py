@@ -69,16 +69,19 @@ class Outside(unittest.TestCase):
         inside_of_all = value(low=4.5, high=7.0)
         quantity = compared(inside_of_all)
         self.assertEqual(quantity.of_classes(inside_of_all), (4.0, 6.0))
-        self.assertEqual(quantity.share_between(inside_of_all), (3, 4))
+        self.assertEqual(quantity.share_within(inside_of_all), (3, 4))
+        self.assertEqual(quantity.share_within(value(low=5.5)), (2, 4))
+        self.assertEqual(quantity.share_within(value(high=4.0)), (1, 4))
+        self.assertIsNone(quantity.share_within(value(middle=5.0)))
         self.assertEqual(distributions.published_outside([quantity]), "- none")
         self.assertEqual(distributions.published_outside_class([quantity]), "- **roll gradient**, some vans: 4.5 to 7 deg/g (ends); "
-                         "above the largest of the class van, 6 [[a](#sources)]")
+                         "above the largest of the class van, 6; 3 of 4 of class van within [[a](#sources)]")
 
     def test_the_page_says_it_and_what_has_no_published_value(self):
         values = [value(low=1.0, high=3.0)]
         page = distributions.page(POPULATION, FOREIGN, values, [values[0].source])
         self.assertIn("| roll gradient | deg/g | 2 to 9 | 2 of 5 | 1 of 1 | 1 of 1 |", page)
-        self.assertIn("- **roll gradient**, some vans: 1 to 3 deg/g (ends); below the least of the population, 2 [[a](#sources)]", page)
+        self.assertIn("- **roll gradient**, some vans: 1 to 3 deg/g (ends); below the least of the population, 2; 0 of 4 of class van within [[a](#sources)]", page)
         self.assertIn("- **roll gradient**, tanker (jointed): 1 of 1 above", page)
         self.assertIn("No published value was found for the classes: bus.", page)
         self.assertIn("| some vans | 1 | - | 3 | ends | van | 4 to 6 | 0 of 4 | below | below | a |", page)
