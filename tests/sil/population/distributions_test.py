@@ -20,7 +20,8 @@ import published  # noqa: E402
 import vehicle_quantities  # noqa: E402
 
 REPORTS = PROJECT / "docs/reports"
-CONTENT = (REPORTS / "data/population_vehicles.csv", REPORTS / "data/foreign_vehicles.csv", PROJECT / "sil/studies/population/published.toml")
+CONTENT = (REPORTS / "data/population_vehicles.csv", REPORTS / "data/foreign_vehicles.csv",
+           PROJECT / "sil/studies/population/published.toml")
 
 
 class Stored(unittest.TestCase):
@@ -81,7 +82,8 @@ class Outside(unittest.TestCase):
         values = [value(low=1.0, high=3.0)]
         page = distributions.page(POPULATION, FOREIGN, values, [values[0].source])
         self.assertIn("| roll gradient | deg/g | 2 to 9 | 2 of 5 | 1 of 1 | 1 of 1 |", page)
-        self.assertIn("- **roll gradient**, some vans: 1 to 3 deg/g (ends); below the least of the population, 2; 0 of 4 of class van within [[a](#sources)]", page)
+        self.assertIn("- **roll gradient**, some vans: 1 to 3 deg/g (ends); below the least of the population, 2; 0 of 4 of class van "
+                      "within [[a](#sources)]", page)
         self.assertIn("- **roll gradient**, tanker (jointed): 1 of 1 above", page)
         self.assertIn("No published value was found for the classes: bus.", page)
         self.assertIn("| some vans | 1 | - | 3 | ends | van | 4 to 6 | 0 of 4 | below | below | a |", page)
@@ -89,7 +91,21 @@ class Outside(unittest.TestCase):
         self.assertIn("No published values with a source that can be cited were found for: roll gradient.", without)
 
 
+    def test_a_class_without_the_quantity_cannot_be_compared(self):
+        with self.assertRaisesRegex(published.Wrong, "no tram of the population has a roll gradient, with which published.toml "
+                                                     "compares some vans"):
+            distributions.compared(POPULATION, FOREIGN, [value(low=1.0, classes=("tram",))])
+
+
 class Picture(unittest.TestCase):
+    def test_a_name_may_have_an_apostrophe(self):
+        name = "growth of the springs' stiffness"
+        quantity = compared()
+        quantity.name = name
+        self.assertEqual(quantity.picture(), "distribution_growth_of_the_springs_stiffness.png")
+        with tempfile.TemporaryDirectory() as scratch:
+            distributions.draw(quantity, pathlib.Path(scratch, quantity.picture()))
+
     def test_it_is_drawn_with_values_that_lack_ends(self):
         quantity = compared(value(low=1.0), value(middle=3.0), value(low=1.0, high=4.0), value(low=1.0, middle=2.0, high=4.0))
         with tempfile.TemporaryDirectory() as scratch:
