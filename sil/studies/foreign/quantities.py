@@ -3,17 +3,21 @@
 import math
 import pathlib
 import statistics
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "population"))
 
 import manoeuvres
+import vehicle_quantities
 import ways
 from conventions import GRAVITY_MPS2, load_transfer_ratio
 
 POPULATION = pathlib.Path(__file__).resolve().parents[3] / "docs/reports/population.md"
 TRUE_OVER_COMPUTED = "true over computed LTR"
-# Name and unit as on the population's page, but for the last.
-NAMES = (("static stability factor", ""), ("rollover threshold", "g"), ("grip over threshold", ""), ("roll gradient", "deg/g"),
-         ("roll frequency", "Hz"), ("roll damping ratio", ""), ("understeer gradient", "1e-3 s2/m"),
-         ("lateral response", "rad/s"), ("its lag", "s"), ("tyre limit over threshold", ""), (TRUE_OVER_COMPUTED, ""))
+# As on the population's page, but for the last.
+NAMES = tuple((name, vehicle_quantities.UNITS.get(name, "")) for name in (
+    "static stability factor", "rollover threshold", "grip over threshold", "roll gradient", "roll frequency", "roll damping ratio",
+    "understeer gradient", "lateral response", "its lag", "tyre limit over threshold", TRUE_OVER_COMPUTED))
 COMPARED_LTR = (0.3, 0.8)  # of the ramp, where true and computed LTR are compared
 
 
@@ -37,6 +41,29 @@ def of_vehicle(vehicle, ramp, replayed_ramp, calibration):
     if frequency > 0.0:
         result |= {"lateral response": frequency, "its lag": 2.0 * found["lateral_response_damping"] / frequency}
     return result
+
+
+def of_data_sheet(vehicle, calibration):
+    """By name, what the report on distributions sets beside the population besides; None: not a quantity of this vehicle."""
+    sheet, drawn = vehicle.data(), vehicle.drawn
+    track = sheet.get("track_width_m") or 0.5 * (sheet["track_width_front_m"] + sheet["track_width_rear_m"])
+    sprung = sheet["sprung_mass_kg"]
+    return {"mass": sheet["total_mass_kg"], "CG height": 0.5 * track / vehicle.static_stability_factor(),
+            "roll radius of gyration over track": vehicle_quantities.roll_gyration_over_track(
+                sprung, sheet["total_mass_kg"] - sprung, sheet["sprung_cg_height_m"], sheet["wheel_radius_m"], track,
+                vehicle.roll_inertia_kgm2()),
+            "characteristic speed": vehicle_quantities.characteristic_speed_kmh(
+                sheet["wheelbase_m"], calibration["understeer_gradient_s2pm"]),
+            "relaxation length": drawn.get("relaxation_m"), "steering lag": drawn.get("steering_lag_s")}
+
+
+def data(results):
+    """A line a vehicle with family, class and quantities, for sil/studies/population/distributions."""
+    names = {"vehicle": [result.vehicle for result in results], "family": [result.family for result in results],
+             "class": [result.kind for result in results]}
+    every = [result.quantities | result.data_sheet for result in results]
+    return vehicle_quantities.csv_text(names, {name: [each.get(name) for each in every]
+                                               for name in vehicle_quantities.UNITS if any(name in each for each in every)})
 
 
 def _true_over_computed(replayed_ramp):

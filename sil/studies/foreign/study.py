@@ -3,7 +3,7 @@
 Use: study.py PROGRAM OUTPUT PAGE VEHICLES JOINTED ROUNDS SEED JOBS
 
 Draws the vehicles, lets each drive, calibrates each by `PROGRAM identify` alone, sends the drives through the firmware by
-`PROGRAM replay`, and writes the page. Called by sil/studies/foreign/run.
+`PROGRAM replay`, and writes the page, and the vehicles' quantities beside it. Called by sil/studies/foreign/run.
 """
 
 import concurrent.futures
@@ -48,6 +48,7 @@ class Result(typing.NamedTuple):
     tyre_limit_mps2: float
     largest_lateral_acceleration_mps2: float
     quantities: dict  # quantities.of_vehicle
+    data_sheet: dict  # quantities.of_data_sheet
     inertia_given: bool  # identify refused what it fitted, and was given the roll inertia of the data sheet
     outcomes: dict
 
@@ -140,7 +141,8 @@ def of_vehicle(program, output, seed, rounds, family_and_number):
     replayed_ramp = replay(program, folder / "calibration/calibration.toml", {}, [folder / "ramp.csv"], "ramp/indices.csv")
     outcomes = judged(program, vehicle, folder, ways.changes(calibration, seed, vehicle.name))
     return Result(vehicle.name, family, vehicle.kind, calibration[ways.TYRE_LIMIT], largest,
-                  quantities.of_vehicle(vehicle, ramp, replayed_ramp, calibration), inertia_given, outcomes)
+                  quantities.of_vehicle(vehicle, ramp, replayed_ramp, calibration), quantities.of_data_sheet(vehicle, calibration),
+                  inertia_given, outcomes)
 
 
 def main(arguments):
@@ -157,6 +159,9 @@ def main(arguments):
             say(f"vehicle {len(results)} of {len(numbers)}, {result.kind}: {lifted} lift-offs in {len(drives)} drives")
     print(report.results_table(results))
     file_io.write(page, report.page(results, seed))
+    data = page.parent / "data/foreign_vehicles.csv"
+    data.parent.mkdir(exist_ok=True)
+    file_io.write(data, quantities.data(results))
     return 0
 
 

@@ -437,6 +437,21 @@ class Sample(unittest.TestCase):
             with self.assertRaisesRegex(LookupError, "no row of vehicles named static stability factor, "):
                 quantities.of_population(pathlib.Path(page.name))
 
+    def test_the_data_has_a_line_for_each_vehicle(self):
+        results = [*self.results, self.jointed]
+        rows = list(csv.DictReader(quantities.data(results).splitlines()))
+        self.assertEqual([(row["vehicle"], row["family"], row["class"]) for row in rows],
+                         [("000", "commonroad", "van"), ("001", "commonroad", "SUV"), ("j10", "jointed", jointed.SWING_ARMS)])
+        for row, result in zip(rows, results):
+            self.assertAlmostEqual(float(row["rollover threshold"]), result.quantities["rollover threshold"], places=4)
+        drawn = jointed.draw(SEED, JOINTED).drawn
+        self.assertAlmostEqual(float(rows[2]["mass"]), drawn["mass_kg"], delta=0.01)
+        self.assertAlmostEqual(float(rows[2]["relaxation length"]), drawn["relaxation_m"], places=4)
+        self.assertAlmostEqual(float(rows[2]["CG height"]) * 2.0 * float(rows[2]["static stability factor"]), drawn["track_width_m"],
+                               places=4)
+        self.assertTrue(drawn["roll_inertia_over_track"] < float(rows[2]["roll radius of gyration over track"]) < 0.5)
+        self.assertEqual(rows[0]["relaxation length"], "")
+
     def test_the_page_counts_the_runs(self):
         page = report.page([*self.results, self.jointed], SEED)
         for family, lifted in (("commonroad", LIFTED), ("jointed", JOINTED_LIFTED), ("both", LIFTED + JOINTED_LIFTED)):

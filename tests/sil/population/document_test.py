@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The page of a population's campaigns: a missed goal is marked, a met one is not, and no campaign may be unfinished."""
 
+import csv
 import importlib.machinery
 import importlib.util
 import json
@@ -106,6 +107,40 @@ class Campaigns(unittest.TestCase):
             (folder / "report.json").write_text(json.dumps({"complete": False}), encoding="utf-8")
             with self.assertRaisesRegex(SystemExit, "is not finished"):
                 document.read(folder)
+
+
+class Vehicles(unittest.TestCase):
+    ROW = {"mass_kg": "1000", "static_stability_factor": "1.1", "threshold_g": "1.0", "grip": "1.2", "roll_centre_height_m": "0.1",
+           "cg_height_m": "0.6", "roll_gradient_degpg": "5", "roll_frequency_hz": "1.5", "roll_damping_ratio": "0.2",
+           "understeer_gradient_s2pm": "0.0025", "wheelbase_m": "2.5", "relaxation_length_m": "0.4", "steering_lag_s": "0.05",
+           "largest_ramp_ltr": "0.8", "spring_progression_pm2": "3", "dry_friction": "0", "frame_over_roll_stiffness": "0", "roll_inertia_kgm2": "300"}
+    SHEET = "total_mass_kg = 1000.0\nunsprung_mass_kg = 100.0\nsprung_cg_height_m = 0.63\nwheel_radius_m = 0.3\ntrack_width_m = 1.4\n"
+    CALIBRATION = ("largest_lateral_acceleration_mps2 = 9.80665\nlateral_response_frequency_radps = 8.0\n"
+                   "lateral_response_damping = 0.8\n")
+
+    def test_page_and_data_have_what_was_drawn_and_what_was_identified(self):
+        rows = [self.ROW | {"vehicle": "v0", "class": "van", "with_wheel_loads": "calibrated"},
+                self.ROW | {"vehicle": "v1", "class": "bus", "with_wheel_loads": "failed: no", "threshold_g": "0.5",
+                            "understeer_gradient_s2pm": "-0.001"}]
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            for name in ("data", "calibrations"):
+                (folder / name).mkdir()
+            for vehicle in ("v0", "v1"):
+                (folder / "data" / f"{vehicle}.toml").write_text(self.SHEET, encoding="utf-8")
+            (folder / "calibrations/v0.toml").write_text(self.CALIBRATION, encoding="utf-8")
+            columns = document.quantities(folder, rows)
+            data = list(csv.DictReader(document.vehicle_data(folder, rows, columns).splitlines()))
+        page = document.vehicles(columns, rows)
+        self.assertIn("| rollover threshold | g | 0.5 | 0.5 | 1 | 1 | 1 |", page)
+        self.assertIn("| its lag | s | 0.2 | 0.2 | 0.2 | 0.2 | 0.2 |", page)
+        self.assertIn("| largest LTR of the ramp | | 0.8 |", page)
+        self.assertIn("calibrated 1 of 2 vehicles", page)
+        self.assertEqual([(line["vehicle"], line["class"], line["rollover threshold"], line["tyre limit over threshold"],
+                           line["characteristic speed"]) for line in data],
+                         [("v0", "van", "1", "1", "113.842"), ("v1", "bus", "0.5", "", "")])
+        self.assertNotIn("largest LTR of the ramp", data[0])
+        self.assertAlmostEqual(float(data[0]["roll radius of gyration over track"]), 0.42786, places=4)
 
 
 if __name__ == "__main__":
