@@ -14,8 +14,8 @@ HEAD = """<!-- Written by sil/studies/foreign/run --document; do not edit. -->
 # Vehicles of others' equations, and of another engine
 
 The [population](population.md) is one model with other numbers, and that model is this project's own. Two other families
-are here, drawn with seed {seed}. Nothing in firmware, identification or population was chosen on them; the firmware is
-measured as it is.
+are here, drawn with seed {seed}. Nothing in firmware or identification was chosen on them; the population's ranges were
+widened until they [contain](#beside-the-population) them. The firmware is measured as it is.
 
 - **commonroad** ({commonroad} vehicles): other equations, which this project did not write: the multi-body model of the
   package commonroad-vehicle-models (29 states; tyres, springs and compliant joints after the vehicle dynamics of the US

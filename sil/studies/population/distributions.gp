@@ -13,11 +13,13 @@ array names[4] = ["population", "commonroad", "jointed", "published"]
 of_group(i, value) = column(7) == i ? value : NaN
 is_limit(unused) = column(4) != column(4) && column(5) != column(5)  # no middle, no high: all above
 set yrange [lines + 0.5:0.5]
-set offsets graph 0.02, graph 0.02, 0, 0
 set xlabel axis
 if (logarithmic) {
     set logscale x
     set xrange [lowest / 1.2:highest * 1.2]
+} else {
+    margin = highest > lowest ? (highest - lowest) / 40 : 0.05 + abs(highest) / 20  # few vehicles may share one value
+    set xrange [lowest - margin:highest + margin]
 }
 set ytics scale 0
 set arrow from least, graph 0 to least, graph 1 nohead dashtype 2 linecolor rgb grey
