@@ -20,7 +20,7 @@ constexpr double reserve = 1.05;
 constexpr double last_part = 0.8;
 constexpr double lower_half = 0.5;
 constexpr double stopped_slope_share = 0.15;
-constexpr std::size_t fewest_samples = 20U;
+constexpr std::size_t fewest_answers = 20U;
 
 double largest(const std::vector<PreparedDrive>& drives) {
     double result = 0.0;
@@ -30,8 +30,8 @@ double largest(const std::vector<PreparedDrive>& drives) {
     return result;
 }
 
-// What the steering asks for, V^2 delta_sw, and what came of it. At one speed a vehicle of linear tyres has
-// one ratio of both; where speed is lost, it asks for less.
+// The steering asks for V^2 delta_sw, and a lateral acceleration comes of it. At one speed a vehicle of
+// linear tyres has one ratio of both; where speed is lost, it asks for less.
 struct Answer {
     double asked;
     double came_mps2;
@@ -71,23 +71,23 @@ double slope(const std::vector<Answer>& answers, const Wanted& wanted) {
         }
     }
     const double variation = count * xx - x * x;
-    return count < static_cast<double>(fewest_samples) || variation <= 0.0 ? 0.0
+    return count < static_cast<double>(fewest_answers) || variation <= 0.0 ? 0.0
                                                                            : (count * xy - x * y) / variation;
 }
 
 bool stops_growing(const std::vector<Answer>& answers) {
-    double most = 0.0, largest_mps2 = 0.0;
+    double most = 0.0, most_mps2 = 0.0;
     for (const Answer& answer : answers) {
         most = std::max(most, answer.asked);
-        largest_mps2 = std::max(largest_mps2, answer.came_mps2);
+        most_mps2 = std::max(most_mps2, answer.came_mps2);
     }
     const auto half = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
-        return answer.came_mps2 > lower_half * largest_mps2;
+        return answer.came_mps2 > lower_half * most_mps2;
     });
     const double first = slope({answers.begin(), half}, [](const Answer&) { return true; });
     const auto is_last = [&](const Answer& answer) { return answer.asked > last_part * most; };
     const auto last_count = static_cast<std::size_t>(std::count_if(answers.begin(), answers.end(), is_last));
-    return first > 0.0 && last_count >= fewest_samples &&
+    return first > 0.0 && last_count >= fewest_answers &&
            slope(answers, is_last) < stopped_slope_share * first;
 }
 
@@ -97,7 +97,8 @@ bool shows_the_limit(const PreparedDrive& ramp) {
 
 }  // namespace
 
-TyreLimit tyre_limit(const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics) {
+TyreLimit tyre_limit(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                     const std::vector<PreparedDrive>& dynamics) {
     const double seen = reserve * std::max(largest(ramps), largest(dynamics));
     const double open = std::max(open_share * largest(ramps), seen);
     const bool lifted = std::any_of(ramps.begin(), ramps.end(),
@@ -108,9 +109,14 @@ TyreLimit tyre_limit(const std::vector<PreparedDrive>& ramps, const std::vector<
     if (std::any_of(ramps.begin(), ramps.end(), shows_the_limit)) {
         return {seen, true, "5 % above the largest seen: the force grew no more while the steering did"};
     }
-    return {std::max(dry_road_mps2, open), false,
-            open > dry_road_mps2 ? "open: 1.4 times the ramp's largest, which shows no limit"
-                                 : "open: 1.1 g, a dry road; the ramp shows no limit"};
+    // A body that leans lifts its wheels below this.
+    const double lift_mps2 = static_stability_factor(vehicle) * g_mps2;
+    if (open > std::max(dry_road_mps2, lift_mps2)) {
+        return {open, false, "open: 1.4 times the ramp's largest, which shows no limit"};
+    }
+    return {std::max(dry_road_mps2, lift_mps2), false,
+            lift_mps2 > dry_road_mps2 ? "open: the static rollover threshold; the ramp shows no limit"
+                                      : "open: 1.1 g, a dry road; the ramp shows no limit"};
 }
 
 }  // namespace sil

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sil/studies/identification/prepared_drive.hpp"
+#include "sil/studies/identification/vehicle_data.hpp"
 
 namespace sil {
 
@@ -16,8 +17,10 @@ struct TyreLimit {
 
 // Only a ramp whose lateral force stopped growing while the steering grew on shows what the tyres give. One
 // that its driver, or a wheel's lift, ended before says nothing, however much more its steering asked for
-// than came: tyres that understeer more and more do that as well. Then the limit stays open. Without
-// steering, yaw rate and speed in the ramps it is open, too. `ramps` must not be empty.
-TyreLimit tyre_limit(const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics);
+// than came: tyres that understeer more and more do that as well. Then the limit stays open, beyond what was
+// seen and beyond what lifts the wheels, or no lift-off could be foretold; likewise if no ramp has steering,
+// yaw rate and speed. `ramps` must not be empty.
+TyreLimit tyre_limit(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                     const std::vector<PreparedDrive>& dynamics);
 
 }  // namespace sil

@@ -180,8 +180,13 @@ double load_transfer_ratio(const sil::PreparedDrive& drive, const KnownBody& bod
     return 2.0 * largest / ((body.sprung_mass_kg + body.unsprung_mass_kg) * sil::g_mps2 * body.track_width_m);
 }
 
+sil::TyreLimit tyre_limit(const std::vector<sil::PreparedDrive>& ramps,
+                          const std::vector<sil::PreparedDrive>& dynamics, const KnownBody& body = {}) {
+    return sil::tyre_limit(identification_test::data_sheet_of(body), ramps, dynamics);
+}
+
 TEST(TyreLimit, IsShownByARampWhoseForceStopsGrowing) {
-    const sil::TyreLimit limit = sil::tyre_limit({ramp(20.0, of_brush_tyres)}, {});
+    const sil::TyreLimit limit = tyre_limit({ramp(20.0, of_brush_tyres)}, {});
     EXPECT_TRUE(limit.is_shown);
     EXPECT_NEAR(limit.largest_mps2, grip_mps2, 0.1 * grip_mps2);
     EXPECT_THAT(limit.origin, HasSubstr("grew no more while the steering did"));
@@ -193,30 +198,39 @@ TEST(TyreLimit, IsShownByATurnToEitherSide) {
         sample.parallel_mps2 *= -1.0;
         sample.steering_wheel_angle_rad *= -1.0;
     }
-    EXPECT_TRUE(sil::tyre_limit({to_the_right}, {}).is_shown);
+    EXPECT_TRUE(tyre_limit({to_the_right}, {}).is_shown);
 }
 
 TEST(TyreLimit, LiesAboveADynamicDriveThatReachesMore) {
     const sil::PreparedDrive dynamic = ramp(8.0, of_good_tyres);
-    const sil::TyreLimit limit = sil::tyre_limit({ramp(20.0, of_brush_tyres)}, {dynamic});
+    const sil::TyreLimit limit = tyre_limit({ramp(20.0, of_brush_tyres)}, {dynamic});
     EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.05 * dynamic.largest_parallel_mps2);
 }
 
 TEST(TyreLimit, IsOpenWhereTheDriverStopped) {
     const sil::PreparedDrive stopped = ramp(5.6, of_good_tyres);
     EXPECT_NEAR(load_transfer_ratio(stopped), 0.7, 0.05);
-    const sil::TyreLimit limit = sil::tyre_limit({stopped}, {});
+    const sil::TyreLimit limit = tyre_limit({stopped}, {});
     EXPECT_FALSE(limit.is_shown);
     EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.1 * sil::g_mps2);
     const sil::PreparedDrive hard = ramp(9.0, of_good_tyres);
-    EXPECT_DOUBLE_EQ(sil::tyre_limit({hard}, {}).largest_mps2, 1.4 * hard.largest_parallel_mps2);
+    EXPECT_DOUBLE_EQ(tyre_limit({hard}, {}).largest_mps2, 1.4 * hard.largest_parallel_mps2);
+}
+
+// A limit below the threshold would foretell that it never lifts a wheel.
+TEST(TyreLimit, IsOpenBeyondWhatLiftsTheWheels) {
+    KnownBody low;
+    low.sprung_cg_height_m = 0.55;
+    low.roll_centre_height_m = 0.1;
+    EXPECT_DOUBLE_EQ(tyre_limit({ramp(6.0, of_good_tyres, low)}, {}, low).largest_mps2,
+                     low.track_width_m / (2.0 * low.sprung_cg_height_m) * sil::g_mps2);
 }
 
 // More asked for than came is no evidence: the force still grows.
 TEST(TyreLimit, IsOpenWhereTheSteeringAsksForHalfAsMuchAgain) {
     const sil::PreparedDrive understeering = ramp(7.5, of_understeering_tyres);
     EXPECT_LT(understeering.largest_parallel_mps2, 7.5 / 1.45);
-    const sil::TyreLimit limit = sil::tyre_limit({understeering}, {});
+    const sil::TyreLimit limit = tyre_limit({understeering}, {});
     EXPECT_FALSE(limit.is_shown);
     EXPECT_GE(limit.largest_mps2, 1.4 * understeering.largest_parallel_mps2);
     EXPECT_THAT(limit.origin, HasSubstr("open"));
@@ -224,7 +238,7 @@ TEST(TyreLimit, IsOpenWhereTheSteeringAsksForHalfAsMuchAgain) {
 
 // Half of the grip is used.
 TEST(TyreLimit, IsOpenWhereBrushTyresHaveAReserve) {
-    EXPECT_FALSE(sil::tyre_limit({ramp(6.0, of_brush_tyres)}, {}).is_shown);
+    EXPECT_FALSE(tyre_limit({ramp(6.0, of_brush_tyres)}, {}).is_shown);
 }
 
 // The steering asks for no more than came: speed is lost while the wheel turns on.
@@ -235,13 +249,13 @@ TEST(TyreLimit, IsOpenWhereTheSpeedIsLost) {
         sample.speed_mps *= 1.0 - 0.3 * lost;
         sample.parallel_mps2 *= std::pow(1.0 - 0.3 * lost, 2);
     }
-    EXPECT_FALSE(sil::tyre_limit({slowing}, {}).is_shown);
+    EXPECT_FALSE(tyre_limit({slowing}, {}).is_shown);
 }
 
 TEST(TyreLimit, IsOpenWhereALiftEndedTheRamp) {
     sil::PreparedDrive lifted = ramp(20.0, of_brush_tyres);
     lifted.cut_by_load_transfer = true;
-    const sil::TyreLimit limit = sil::tyre_limit({lifted}, {});
+    const sil::TyreLimit limit = tyre_limit({lifted}, {});
     EXPECT_FALSE(limit.is_shown);
     EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.4 * lifted.largest_parallel_mps2);
 }
@@ -249,8 +263,8 @@ TEST(TyreLimit, IsOpenWhereALiftEndedTheRamp) {
 TEST(TyreLimit, IsOpenWithoutSteering) {
     sil::PreparedDrive unknown = ramp(20.0, of_brush_tyres);
     unknown.has_steering = false;
-    EXPECT_FALSE(sil::tyre_limit({unknown}, {}).is_shown);
-    EXPECT_DOUBLE_EQ(sil::tyre_limit({unknown}, {}).largest_mps2, 1.1 * sil::g_mps2);
+    EXPECT_FALSE(tyre_limit({unknown}, {}).is_shown);
+    EXPECT_DOUBLE_EQ(tyre_limit({unknown}, {}).largest_mps2, 1.1 * sil::g_mps2);
 }
 
 }  // namespace
