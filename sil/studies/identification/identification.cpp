@@ -81,11 +81,11 @@ CurveLimits admitted_curve() {
             largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
 }
 
-void choose_roll_centre(Identification& result, bool fit_cg_height) {
+void choose_roll_centre(Identification& result, bool keep_cg_height) {
     VehicleData& vehicle = result.vehicle;
     result.given_cg_height_m = vehicle.sprung_cg_height_m;
     result.cg_height_origin = vehicle_data_origin;
-    result.loads = fit_loads(vehicle, result.ramps, fit_cg_height);
+    result.loads = fit_loads(vehicle, result.ramps, keep_cg_height);
     if (vehicle.roll_centre_height_m) {
         result.roll_centre_height_m = *vehicle.roll_centre_height_m;
         result.roll_centre_origin = vehicle_data_origin;
@@ -267,7 +267,7 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     result.vehicle = vehicle;
     result.ramps = prepare_all(ramps, vehicle, options.preparation);
     result.dynamics = prepare_all(dynamics, vehicle, options.preparation);
-    choose_roll_centre(result, options.fit_cg_height);
+    choose_roll_centre(result, options.keep_cg_height);
     fit_body(result, usual_arm_m(vehicle));
     result.steering = fit_steering(vehicle, result.ramps);
     add_vehicle(result);

@@ -51,7 +51,7 @@ struct Identification {
 
 struct IdentificationOptions {
     PreparationOptions preparation{};
-    bool fit_cg_height{false};  // where the wheel loads contradict the vehicle data's; otherwise it stays
+    bool keep_cg_height{false};  // also where wheel loads speak for another
 };
 
 // Throws IdentificationError when a drive is of no use, and says what to do.
