@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "rsi/rsi.h"
 #include "sil/files/parameter_field.hpp"
@@ -17,7 +18,7 @@ namespace sil {
 namespace {
 
 constexpr double smallest_damping_time_s = 0.005;  // c_f / K_f that the component admits
-// So much more is written at least: either of the two may be corrected.
+// This much more is written at least: either of the two may be corrected.
 constexpr double damping_reserve = 1.001 / (1.0 - correction_reserve);
 constexpr const char* vehicle_data_origin = "vehicle data";
 
@@ -139,7 +140,13 @@ void add_vehicle(Identification& result) {
 void add_roll(Identification& result) {
     const RollFit& roll = result.roll;
     auto& values = result.values;
-    values.push_back({"roll_inertia_kgm2", roll.inertia_kgm2.value, fitted(roll.inertia_kgm2, "{:.0f}")});
+    values.push_back(
+        {"roll_inertia_kgm2", roll.inertia_kgm2.value,
+         roll.refused_inertia_kgm2
+             ? fmt::format("{}: the drives alone would give {:.0f}",
+                           result.vehicle.roll_inertia_kgm2 ? vehicle_data_origin : "rule of thumb",
+                           *roll.refused_inertia_kgm2)
+             : fitted(roll.inertia_kgm2, "{:.0f}")});
     values.push_back({"fixed_roll_centre_height_m", result.roll_centre_height_m, result.roll_centre_origin});
     values.push_back(
         {"roll_stiffness_nmprad", roll.stiffness_nmprad.value, fitted(roll.stiffness_nmprad, "{:.0f}")});
@@ -172,7 +179,7 @@ void add_steering(Identification& result) {
                           vehicle.understeer_gradient_s2pm.value_or(usual_understeer_gradient_s2pm),
                           vehicle.understeer_gradient_s2pm ? vehicle_data_origin : "ASSUMED"});
     }
-    result.tyres = tyre_limit(result.ramps, result.dynamics);
+    result.tyres = tyre_limit(vehicle, result.ramps, result.dynamics);
     values.push_back({"largest_lateral_acceleration_mps2", result.tyres.largest_mps2, result.tyres.origin});
 }
 
@@ -215,19 +222,16 @@ void add_rollover_index(Identification& result) {
 
 // Values that are not written stay as in the template: fine, quiet sensors.
 void add_sensors(Identification& result) {
-    const auto add_within_range = [&result](float rsi::Parameters::* setting, double value) {
+    const SensorQuality& sensors = result.sensors;
+    for (const auto& [key, value] : {std::pair{"accelerometer_noise_mps2", sensors.accelerometer_noise_mps2},
+                                     std::pair{"speed_resolution_mps", sensors.speed_resolution_mps}}) {
         if (value > 0.0) {
-            const rsi::ParameterField& field = parameter_field(setting);
-            const double most = static_cast<double>(field.maximum);
-            result.values.push_back({field.name, std::min(value, most),
-                                     value > most ? "more than the component admits" : "of the drives"});
+            result.values.push_back({key, value, "of the drives"});
         }
-    };
-    add_within_range(&rsi::Parameters::accelerometer_noise_mps2, result.sensors.accelerometer_noise_mps2);
-    add_within_range(&rsi::Parameters::speed_resolution_mps, result.sensors.speed_resolution_mps);
+    }
 }
 
-// What was found from the drives must bear a later correction; the vehicle data were checked as given.
+// Values from the drives must bear a later correction; the vehicle data were checked as given.
 void keep_correctable(Identification& result) {
     for (IdentifiedValue& value : result.values) {
         const auto field =

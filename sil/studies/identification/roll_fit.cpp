@@ -85,15 +85,23 @@ void refuse_without_excitation(const std::vector<PreparedDrive>& ramps,
 }
 
 constexpr double usual_gyration_share = 0.42;  // of the track width
+// Share of the rule of thumb, or of the data sheet's Ixx. A body has more, on soft tyres too: with less its
+// mass would lie within a fifth of the track width about its middle. Then something else follows the roll
+// acceleration, such as a frame that twists, and takes its place in the fit.
+constexpr double impossible_inertia_share = 0.2;
 // Stops and bump rubbers stiffen a suspension; none grows soft.
 constexpr double least_slope_share = 0.5;
 constexpr double beyond_rollover = 1.5;
-// If no drive shows the curve, its slope stays within these shares of the one at the end of the data, up to
-// the largest angle at which the component still needs it: a little beyond the lift of the inner wheels, so
-// far as a prediction looks. Further on every answer is "warn".
+// If no drive shows the curve, it goes on nearly straight, as springs do: its slope stays within these shares
+// of the one at the end of the data. If the data show a stop the slope may grow once more as it did in
+// them, at most to the last share. It holds up to the largest angle at which the component still needs the
+// curve, a little beyond the lift of the inner wheels, so far as a prediction looks, and at least as far
+// beyond the data as a fast turn swings further than the slow one. Further on every answer is "warn".
 constexpr double beyond_lift = 1.2;
-constexpr double least_slope_beyond_data = 0.5;
-constexpr double largest_slope_beyond_data = 2.0;
+constexpr double beyond_data = 1.5;
+constexpr double least_slope_beyond_data = 0.67;
+constexpr double largest_slope_beyond_data = 1.5;
+constexpr double largest_slope_beyond_stop = 2.0;
 
 bool rises_up_to(const RollFit& fit, double limit_rad) {
     for (int k = 0; k <= 100; ++k) {
@@ -106,10 +114,11 @@ bool rises_up_to(const RollFit& fit, double limit_rad) {
 
 bool stays_plausible(const RollFit& fit, double limit_rad) {
     const double at_end = fit.slope_nmprad(fit.data_end_rad);
+    const double largest_share = fit.largest_slope_share();
     for (int k = 1; k <= 100 && limit_rad > fit.data_end_rad; ++k) {
         const double angle = fit.data_end_rad + 0.01 * k * (limit_rad - fit.data_end_rad);
         const double share = fit.slope_nmprad(angle) / at_end;
-        if (share < least_slope_beyond_data || share > largest_slope_beyond_data) {
+        if (share < least_slope_beyond_data || share > largest_share) {
             return false;
         }
     }
@@ -145,6 +154,15 @@ double RollFit::slope_nmprad(double phi) const {
            square * (3.0 * stiffness_cubic_nmprad3.value + 5.0 * square * stiffness_quintic_nmprad5.value);
 }
 
+double RollFit::largest_slope_share() const {
+    return std::clamp(slope_nmprad(data_end_rad) / stiffness_nmprad.value, largest_slope_beyond_data,
+                      largest_slope_beyond_stop);
+}
+
+double RollFit::least_slope_share() const {
+    return least_slope_beyond_data;
+}
+
 RollFit RollFit::with_arm(double new_arm_m) const {
     const double factor = new_arm_m / arm_m;
     RollFit fit = *this;
@@ -178,6 +196,13 @@ RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vect
         return fit;
     };
     RollFit fit = solve();
+    const double usual_kgm2 = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
+    std::optional<double> refused_kgm2;
+    if (fit.inertia_kgm2.value < impossible_inertia_share * usual_kgm2) {
+        refused_kgm2 = fit.inertia_kgm2.value;
+        problem.hold_inertia();
+        fit = solve();
+    }
     curve.quintic = fit.stiffness_quintic_nmprad5.value > 0.0;
     if (!curve.quintic) {
         fit = solve();
@@ -185,7 +210,7 @@ RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vect
     bool flattened = false, held = false, limited = false;
     for (int pass = 0; pass < 30; ++pass) {
         const double lift_rad = rollover_angle_rad(vehicle, fit);
-        curve.limit_rad = beyond_lift * lift_rad;
+        curve.limit_rad = std::max(beyond_lift * lift_rad, beyond_data * curve.data_end_rad);
         if (!rises_up_to(fit, beyond_rollover * lift_rad)) {
             flattened = true;
             curve.freedom *= 0.6;
@@ -200,6 +225,7 @@ RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vect
         }
         fit = solve();
     }
+    fit.refused_inertia_kgm2 = refused_kgm2;
     fit.curve_flattened = flattened;
     fit.curve_held = held;
     fit.curve_limited = limited;
