@@ -14,9 +14,8 @@ constexpr double cg_height_uncertainty = 0.01;
 constexpr double lowest_roll_centre_m = 0.0;
 constexpr double highest_roll_centre_m = 1.2;
 constexpr double highest_roll_centre_share = 0.7;  // of the CG height
-// Up to here tyres that give sideways, and an error of the measured height, explain a change of the CG
-// height.
-constexpr double usual_cg_change = 0.06;
+// A height that was measured changes by at most so many times what the slow turns ask for.
+constexpr double largest_over_needed_change = 2.0;
 // A load that sways moves the CG sideways with the force as a CG would that lies at its pivot or at the
 // middle of the tank's curvature: some tenths of a metre higher for a third of the mass. Beyond that a datum
 // is wrong.
@@ -149,7 +148,7 @@ void match_dynamic_loads(const VehicleData& vehicle, const RollFit& roll,
     double least = std::numeric_limits<double>::infinity();
     const double highest_m = highest_roll_centre(vehicle);
     const double needed_change = std::abs(fit.agreeing_cg_height_m / vehicle.sprung_cg_height_m - 1.0);
-    const double most_change = std::max(usual_cg_change, needed_change);
+    const double most_change = std::min(largest_cg_change, largest_over_needed_change * needed_change);
     for (int k = 0; lowest_roll_centre_m + 0.01 * k <= highest_m; ++k) {
         const double roll_centre_m = lowest_roll_centre_m + 0.01 * k;
         VehicleData matched = vehicle;

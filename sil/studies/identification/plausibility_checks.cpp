@@ -102,7 +102,7 @@ class Warnings {
                 "held between {:.2g} and {:.2g} times that at the end of the data. A ramp that goes further "
                 "would show it",
                 roll.data_end_rad * degrees_per_radian, roll.needed_up_to_rad * degrees_per_radian,
-                roll.least_slope_share(), roll.largest_slope_share());
+                1.0 / roll.largest_slope_share, roll.largest_slope_share);
         }
     }
 
@@ -215,12 +215,13 @@ class Warnings {
         const VehicleData& vehicle = result_.vehicle;
         const double higher_m = unseen_share * vehicle.sprung_cg_height_m;
         const double lift_rad = rollover_angle_rad(vehicle, result_.roll);
-        const double tipping_mps2 =
-            g_mps2 * (0.5 * vehicle.track_width_m - result_.roll.arm_m * std::tan(lift_rad)) /
-                vehicle.sprung_cg_height_m +
-            g_mps2 * std::tan(lift_rad);
-        const double more = vehicle.sprung_mass_kg * higher_m * tipping_mps2 /
-                            (0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m);
+        const double lean_mps2 = g_mps2 * std::tan(lift_rad);
+        const double whole_nm = 0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m;
+        // At the computed lift: (m_s h + m_u h_u) A + m_s H g tan phi = whole_nm.
+        const double parallel_mps2 = (whole_nm - vehicle.sprung_mass_kg * result_.roll.arm_m * lean_mps2) /
+                                     (vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m +
+                                      vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m);
+        const double more = vehicle.sprung_mass_kg * higher_m * (parallel_mps2 + lean_mps2) / whole_nm;
         warn(
             "without wheel loads nothing checks these heights: the sprung CG's, {:.3f} m of the vehicle "
             "data, "

@@ -39,15 +39,13 @@ struct RollFit {
     double needed_up_to_rad{};          // by the component: a little beyond the lift of the inner wheels
     // The best fit, if no body has so little; then the data sheet's or the rule of thumb is taken.
     std::optional<double> refused_inertia_kgm2;
-    bool curve_flattened{false};  // the curve had to be held back to rise up to rollover
-    bool curve_held{false};       // its slope beyond the data had to be
-    bool curve_limited{false};    // its coefficients had to be, to CurveLimits
+    bool curve_flattened{false};   // the curve had to be held back to rise up to rollover
+    bool curve_held{false};        // its slope beyond the data had to be
+    double largest_slope_share{};  // beyond the data, of the slope at their end; one over it is the least
+    bool curve_limited{false};     // its coefficients had to be, to CurveLimits
 
     double moment_nm(double roll_angle_rad) const;
     double slope_nmprad(double roll_angle_rad) const;
-    // Between these shares of the slope at the end of the data it stays beyond them.
-    double least_slope_share() const;
-    double largest_slope_share() const;
     // The same drives with another H: only the ratios to H are determined by them.
     RollFit with_arm(double arm_m) const;
 };

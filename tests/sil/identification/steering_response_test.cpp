@@ -158,7 +158,7 @@ double of_brush_tyres(double asked_mps2) {
     return grip_mps2 * (1.0 - rest * rest * rest);
 }
 
-// Its driver stops at 5.6 m/s^2, where |LTR| is about 0.7.
+// Its driver stops at 6.3 m/s^2, where |LTR| is about 0.7.
 double of_good_tyres(double asked_mps2) {
     return asked_mps2;
 }
@@ -208,7 +208,7 @@ TEST(TyreLimit, LiesAboveADynamicDriveThatReachesMore) {
 }
 
 TEST(TyreLimit, IsOpenWhereTheDriverStopped) {
-    const sil::PreparedDrive stopped = ramp(5.6, of_good_tyres);
+    const sil::PreparedDrive stopped = ramp(6.3, of_good_tyres);
     EXPECT_NEAR(load_transfer_ratio(stopped), 0.7, 0.05);
     const sil::TyreLimit limit = tyre_limit({stopped}, {});
     EXPECT_FALSE(limit.is_shown);
