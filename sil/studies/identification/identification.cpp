@@ -48,7 +48,10 @@ std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
             "the nearest plausible; the wheel loads contradict the CG height and speak for {:.3f}",
             loads.roll_centre_at_given_height_m);
     }
-    if (loads.agreeing_cg_height_m == given_cg_height_m || loads.cg_height_m != given_cg_height_m) {
+    if (loads.cg_height_m != given_cg_height_m) {
+        return "the nearest plausible; the CG height is matched to the wheel loads with it";
+    }
+    if (loads.agreeing_cg_height_m == given_cg_height_m) {
         return fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
                            loads.deviation_m);
     }
@@ -57,11 +60,8 @@ std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
 }
 
 void use_loads(Identification& result) {
-    LoadFit& loads = *result.loads;
+    const LoadFit& loads = *result.loads;
     if (loads.cg_height_m != result.given_cg_height_m) {
-        const double arm_m = usual_arm_m(result.vehicle);
-        const RollFit roll = fit_roll(result.vehicle, {arm_m, arm_m}, result.ramps, result.dynamics);
-        match_dynamic_loads(result.vehicle, roll, result.ramps, result.dynamics, loads);
         result.vehicle.sprung_cg_height_m = loads.cg_height_m;
         result.cg_height_origin =
             fmt::format("matched to the wheel loads; vehicle data {:.4g}", result.given_cg_height_m);

@@ -34,12 +34,6 @@ struct LoadFit {
 std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
                                  bool keep_cg_height);
 
-// Moves roll centre and CG height of a `fit` that had to leave the given CG height, together so that the slow
-// turns still agree, to where the dynamic drives' wheel loads agree best: there A and phi do not move as one.
-void match_dynamic_loads(const VehicleData& vehicle, const RollFit& roll,
-                         const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics,
-                         LoadFit& fit);
-
 // How the component's load transfer ratio, 2/(m N c_w) [alpha A + M(phi) + c phi'], differs from that of the
 // wheels; one entry for each drive that has wheel loads, in units of the ratio.
 std::vector<DriveResidual> load_transfer_residuals(const VehicleData& vehicle, const RollFit& roll,

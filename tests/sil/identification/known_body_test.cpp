@@ -280,7 +280,7 @@ TEST(KnownBodyTest, TheRollCentreStaysBelowSevenTenthsOfTheCgHeight) {
                 body.roll_centre_height_m, 0.003);
     body.roll_centre_height_m = 0.72 * body.sprung_cg_height_m;
     EXPECT_NEAR(identified(body, identification_test::data_sheet_of(body)).roll_centre_height_m,
-                0.7 * body.sprung_cg_height_m, 0.01);
+                0.7 * body.sprung_cg_height_m, 1e-9);
 }
 
 TEST(KnownBodyTest, WithoutWheelLoadsNoRollCentreAboveTheRoadIsMissedAndTheCostIsSaid) {
