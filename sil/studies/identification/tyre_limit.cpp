@@ -100,15 +100,12 @@ bool shows_the_limit(const PreparedDrive& ramp) {
 TyreLimit tyre_limit(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
                      const std::vector<PreparedDrive>& dynamics) {
     const double seen = reserve * std::max(largest(ramps), largest(dynamics));
-    const double open = std::max(open_share * largest(ramps), seen);
     const bool lifted = std::any_of(ramps.begin(), ramps.end(),
                                     [](const PreparedDrive& ramp) { return ramp.cut_by_load_transfer; });
-    if (lifted) {
-        return {open, false, "open: 1.4 times the ramp's largest, which a wheel's lift ended"};
-    }
-    if (std::any_of(ramps.begin(), ramps.end(), shows_the_limit)) {
+    if (!lifted && std::any_of(ramps.begin(), ramps.end(), shows_the_limit)) {
         return {seen, true, "5 % above the largest seen: the force grew no more while the steering did"};
     }
+    const double open = std::max(open_share * largest(ramps), seen);
     // A body that leans lifts its wheels below this.
     const double lift_mps2 = static_stability_factor(vehicle) * g_mps2;
     if (open > std::max(dry_road_mps2, lift_mps2)) {
