@@ -33,7 +33,7 @@ struct IdentifyRequest {
     std::vector<std::string> dynamics;
     std::filesystem::path output;
     double until_s{1.0e9};
-    bool fit_cg_height{false};
+    bool keep_cg_height{false};
     std::string simulated_vehicle;
     SensorFlaws sensors;
     bool no_pictures{false};
@@ -103,7 +103,7 @@ void identify_vehicle(IdentifyRequest& request) {
     const VehicleData vehicle = load_vehicle_data(request.vehicle_data, request.settings);
     IdentificationOptions options;
     options.preparation.until_s = request.until_s;
-    options.fit_cg_height = request.fit_cg_height;
+    options.keep_cg_height = request.keep_cg_height;
     if (!request.simulated_vehicle.empty()) {
         simulate_drives(request);
     }
@@ -169,8 +169,8 @@ void add_identify_command(CLI::App& app) {
         ->add_option("--until", request->until_s, "Use no sample later than this, in s on the drives' clocks")
         ->check(number_within(0.0, 1.0e9));
     identify->add_flag(
-        "--fit-cg-height", request->fit_cg_height,
-        "Fit a CG height that contradicts the wheel loads to them; otherwise it stays as given");
+        "--keep-cg-height", request->keep_cg_height,
+        "Keep the given CG height where the wheel loads speak for another; otherwise it is matched to them");
     identify->add_option("--simulate", request->simulated_vehicle,
                          "Drive this simulated vehicle (TOML) in place of --ramp and --dynamic");
     identify->add_flag("--noise", request->sensors.noise, "Simulated sensors with noise");

@@ -5,18 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "rsi/rsi.h"
 #include "sil/files/parameter_field.hpp"
+#include "sil/studies/identification/admitted_range.hpp"
 #include "sil/studies/identification/calibration_default.hpp"
 #include "sil/studies/identification/plausibility_checks.hpp"
-#include "sil/studies/identification/tyre_limit.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
 constexpr double smallest_damping_time_s = 0.005;  // c_f / K_f that the component admits
+// This much more is written at least: either of the two may be corrected.
+constexpr double damping_reserve = 1.001 / (1.0 - correction_reserve);
+constexpr const char* vehicle_data_origin = "vehicle data";
 
 std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const VehicleData& vehicle,
                                        const PreparationOptions& options) {
@@ -44,7 +48,10 @@ std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
             "the nearest plausible; the wheel loads contradict the CG height and speak for {:.3f}",
             loads.roll_centre_at_given_height_m);
     }
-    if (loads.agreeing_cg_height_m == given_cg_height_m || loads.cg_height_m != given_cg_height_m) {
+    if (loads.cg_height_m != given_cg_height_m) {
+        return "the nearest plausible; the CG height is matched to the wheel loads with it";
+    }
+    if (loads.agreeing_cg_height_m == given_cg_height_m) {
         return fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
                            loads.deviation_m);
     }
@@ -53,11 +60,8 @@ std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
 }
 
 void use_loads(Identification& result) {
-    LoadFit& loads = *result.loads;
+    const LoadFit& loads = *result.loads;
     if (loads.cg_height_m != result.given_cg_height_m) {
-        const double arm_m = usual_arm_m(result.vehicle);
-        const RollFit roll = fit_roll(result.vehicle, {arm_m, arm_m}, result.ramps, result.dynamics);
-        match_dynamic_loads(result.vehicle, roll, result.ramps, result.dynamics, loads);
         result.vehicle.sprung_cg_height_m = loads.cg_height_m;
         result.cg_height_origin =
             fmt::format("matched to the wheel loads; vehicle data {:.4g}", result.given_cg_height_m);
@@ -69,7 +73,8 @@ void use_loads(Identification& result) {
 // The largest magnitude that the component admits of a coefficient of the stiffness curve.
 double largest_admitted(float rsi::Parameters::* coefficient) {
     const rsi::ParameterField& field = parameter_field(coefficient);
-    return std::min(-static_cast<double>(field.minimum), static_cast<double>(field.maximum));
+    return std::min(-within_admitted(coefficient, static_cast<double>(field.minimum)),
+                    within_admitted(coefficient, static_cast<double>(field.maximum)));
 }
 
 CurveLimits admitted_curve() {
@@ -77,14 +82,14 @@ CurveLimits admitted_curve() {
             largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
 }
 
-void choose_roll_centre(Identification& result, bool fit_cg_height) {
+void choose_roll_centre(Identification& result, bool keep_cg_height) {
     VehicleData& vehicle = result.vehicle;
     result.given_cg_height_m = vehicle.sprung_cg_height_m;
-    result.cg_height_origin = "vehicle data";
-    result.loads = fit_loads(vehicle, result.ramps, fit_cg_height);
+    result.cg_height_origin = vehicle_data_origin;
+    result.loads = fit_loads(vehicle, result.ramps, keep_cg_height);
     if (vehicle.roll_centre_height_m) {
         result.roll_centre_height_m = *vehicle.roll_centre_height_m;
-        result.roll_centre_origin = "vehicle data";
+        result.roll_centre_origin = vehicle_data_origin;
     } else if (result.loads) {
         use_loads(result);
     } else {
@@ -115,35 +120,41 @@ std::string fitted(const Estimate& estimate, const char* format) {
 void add_vehicle(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
     auto& values = result.values;
-    values.push_back({"sprung_mass_kg", vehicle.sprung_mass_kg, "vehicle data"});
+    values.push_back({"sprung_mass_kg", vehicle.sprung_mass_kg, vehicle_data_origin});
     values.push_back({"sprung_cg_height_m", vehicle.sprung_cg_height_m, result.cg_height_origin});
-    values.push_back({"track_width_m", vehicle.track_width_m, "vehicle data"});
-    values.push_back({"unsprung_mass_kg", vehicle.unsprung_mass_kg, "vehicle data"});
-    values.push_back({"unsprung_cg_height_m", vehicle.unsprung_cg_height_m, "vehicle data"});
-    values.push_back({"wheelbase_m", vehicle.wheelbase_m, "vehicle data"});
-    values.push_back({"imu_x_m", vehicle.imu_x_m, "vehicle data"});
-    values.push_back({"imu_y_m", vehicle.imu_y_m, "vehicle data"});
-    values.push_back({"imu_z_m", vehicle.imu_z_m, "vehicle data"});
+    values.push_back({"track_width_m", vehicle.track_width_m, vehicle_data_origin});
+    values.push_back({"unsprung_mass_kg", vehicle.unsprung_mass_kg, vehicle_data_origin});
+    values.push_back({"unsprung_cg_height_m", vehicle.unsprung_cg_height_m, vehicle_data_origin});
+    values.push_back({"wheelbase_m", vehicle.wheelbase_m, vehicle_data_origin});
+    values.push_back({"imu_x_m", vehicle.imu_x_m, vehicle_data_origin});
+    values.push_back({"imu_y_m", vehicle.imu_y_m, vehicle_data_origin});
+    values.push_back({"imu_z_m", vehicle.imu_z_m, vehicle_data_origin});
     if (vehicle.roll_angle_reference) {
         const bool horizon = *vehicle.roll_angle_reference == RollReference::horizon;
         values.push_back({"roll_angle_reference",
                           static_cast<double>(horizon ? RSI_ROLL_AGAINST_HORIZON : RSI_ROLL_AGAINST_ROAD),
-                          "vehicle data"});
+                          vehicle_data_origin});
     }
 }
 
 void add_roll(Identification& result) {
     const RollFit& roll = result.roll;
     auto& values = result.values;
-    values.push_back({"roll_inertia_kgm2", roll.inertia_kgm2.value, fitted(roll.inertia_kgm2, "{:.0f}")});
+    values.push_back(
+        {"roll_inertia_kgm2", roll.inertia_kgm2.value,
+         roll.refused_inertia_kgm2
+             ? fmt::format("{}: the drives alone would give {:.0f}",
+                           result.vehicle.roll_inertia_kgm2 ? vehicle_data_origin : "rule of thumb",
+                           *roll.refused_inertia_kgm2)
+             : fitted(roll.inertia_kgm2, "{:.0f}")});
     values.push_back({"fixed_roll_centre_height_m", result.roll_centre_height_m, result.roll_centre_origin});
     values.push_back(
         {"roll_stiffness_nmprad", roll.stiffness_nmprad.value, fitted(roll.stiffness_nmprad, "{:.0f}")});
-    const double smallest = 1.01 * smallest_damping_time_s * roll.stiffness_nmprad.value;
+    const double smallest = damping_reserve * smallest_damping_time_s * roll.stiffness_nmprad.value;
     const bool too_small = roll.damping_nmsprad.value < smallest;
-    values.push_back(
-        {"roll_damping_nmsprad", std::max(roll.damping_nmsprad.value, smallest),
-         too_small ? "the least that the component admits" : fitted(roll.damping_nmsprad, "{:.0f}")});
+    values.push_back({"roll_damping_nmsprad", std::max(roll.damping_nmsprad.value, smallest),
+                      too_small ? "the least that the component admits, and a reserve for corrections"
+                                : fitted(roll.damping_nmsprad, "{:.0f}")});
     values.push_back({"roll_stiffness_cubic_nmprad3", roll.stiffness_cubic_nmprad3.value,
                       fitted(roll.stiffness_cubic_nmprad3, "{:.2g}")});
     values.push_back({"roll_stiffness_quintic_nmprad5", roll.stiffness_quintic_nmprad5.value,
@@ -156,21 +167,20 @@ void add_steering(Identification& result) {
     if (result.steering) {
         const SteeringFit& steering = *result.steering;
         values.push_back({"steering_ratio", steering.ratio.value,
-                          steering.ratio_fitted ? fitted(steering.ratio, "{:.2f}") : "vehicle data"});
+                          steering.ratio_fitted ? fitted(steering.ratio, "{:.2f}") : vehicle_data_origin});
         values.push_back({"understeer_gradient_s2pm", steering.understeer_gradient_s2pm.value,
                           steering.gradient_fitted ? fitted(steering.understeer_gradient_s2pm, "{:.5f}")
-                          : vehicle.understeer_gradient_s2pm ? "vehicle data"
+                          : vehicle.understeer_gradient_s2pm ? vehicle_data_origin
                                                              : "ASSUMED: one speed tells only one of both"});
     } else {
         values.push_back({"steering_ratio", vehicle.steering_ratio.value_or(17.0),
-                          vehicle.steering_ratio ? "vehicle data" : "ASSUMED"});
+                          vehicle.steering_ratio ? vehicle_data_origin : "ASSUMED"});
         values.push_back({"understeer_gradient_s2pm",
                           vehicle.understeer_gradient_s2pm.value_or(usual_understeer_gradient_s2pm),
-                          vehicle.understeer_gradient_s2pm ? "vehicle data" : "ASSUMED"});
+                          vehicle.understeer_gradient_s2pm ? vehicle_data_origin : "ASSUMED"});
     }
-    const TyreLimit limit =
-        tyre_limit(vehicle, result.steering ? &*result.steering : nullptr, result.ramps, result.dynamics);
-    values.push_back({"largest_lateral_acceleration_mps2", limit.largest_mps2, limit.origin});
+    result.tyres = tyre_limit(vehicle, result.ramps, result.dynamics);
+    values.push_back({"largest_lateral_acceleration_mps2", result.tyres.largest_mps2, result.tyres.origin});
 }
 
 // How the lateral force follows the steering, by the model of the values so far.
@@ -212,16 +222,30 @@ void add_rollover_index(Identification& result) {
 
 // Values that are not written stay as in the template: fine, quiet sensors.
 void add_sensors(Identification& result) {
-    const auto add_within_range = [&result](float rsi::Parameters::* setting, double value) {
+    const SensorQuality& sensors = result.sensors;
+    for (const auto& [key, value] : {std::pair{"accelerometer_noise_mps2", sensors.accelerometer_noise_mps2},
+                                     std::pair{"speed_resolution_mps", sensors.speed_resolution_mps}}) {
         if (value > 0.0) {
-            const rsi::ParameterField& field = parameter_field(setting);
-            const double most = static_cast<double>(field.maximum);
-            result.values.push_back({field.name, std::min(value, most),
-                                     value > most ? "more than the component admits" : "of the drives"});
+            result.values.push_back({key, value, "of the drives"});
         }
-    };
-    add_within_range(&rsi::Parameters::accelerometer_noise_mps2, result.sensors.accelerometer_noise_mps2);
-    add_within_range(&rsi::Parameters::speed_resolution_mps, result.sensors.speed_resolution_mps);
+    }
+}
+
+// Values from the drives must bear a later correction; the vehicle data were checked as given.
+void keep_correctable(Identification& result) {
+    for (IdentifiedValue& value : result.values) {
+        const auto field =
+            std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
+                         [&value](const rsi::ParameterField& each) { return value.key == each.name; });
+        if (field == rsi::parameter_fields.end() || value.origin == vehicle_data_origin) {
+            continue;
+        }
+        const double admitted = within_admitted(field->member, value.value);
+        if (admitted != value.value) {
+            value.origin = fmt::format("{:.4g} is {}", value.value, outside_admitted);
+            value.value = admitted;
+        }
+    }
 }
 
 }  // namespace
@@ -247,7 +271,7 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     result.vehicle = vehicle;
     result.ramps = prepare_all(ramps, vehicle, options.preparation);
     result.dynamics = prepare_all(dynamics, vehicle, options.preparation);
-    choose_roll_centre(result, options.fit_cg_height);
+    choose_roll_centre(result, options.keep_cg_height);
     fit_body(result, usual_arm_m(vehicle));
     result.steering = fit_steering(vehicle, result.ramps);
     add_vehicle(result);
@@ -257,6 +281,7 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     add_rollover_index(result);
     result.sensors = sensor_quality(ramps, dynamics);
     add_sensors(result);
+    keep_correctable(result);
     result.warnings = identification_warnings(result);
     return result;
 }

@@ -12,6 +12,7 @@
 #include "sil/studies/identification/roll_fit.hpp"
 #include "sil/studies/identification/sensor_quality.hpp"
 #include "sil/studies/identification/steering_fit.hpp"
+#include "sil/studies/identification/tyre_limit.hpp"
 #include "sil/studies/identification/vehicle_data.hpp"
 
 namespace sil {
@@ -37,6 +38,7 @@ struct Identification {
     SensorQuality sensors;
     double roll_centre_height_m{};
     std::string roll_centre_origin;
+    TyreLimit tyres;
     std::vector<IdentifiedValue> values;  // all that depend on the vehicle
     std::vector<std::string> warnings;    // notes to the user, in plain words
 
@@ -49,7 +51,7 @@ struct Identification {
 
 struct IdentificationOptions {
     PreparationOptions preparation{};
-    bool fit_cg_height{false};  // where the wheel loads contradict the vehicle data's; otherwise it stays
+    bool keep_cg_height{false};  // also where wheel loads speak for another
 };
 
 // Throws IdentificationError when a drive is of no use, and says what to do.

@@ -15,9 +15,11 @@ namespace sil {
 // component's load transfer alpha A + M(phi) + c phi', alpha = m_s h_rc + m_u h_u, is that of the wheels.
 //
 // If that asks for a roll centre below the road or higher than any suspension has it, something else moves
-// the CG sideways with the force: tyres that give way do. Then the nearest roll centre is taken. The CG
-// height that the loads speak for with it is the user's to decide on: it is fitted only on request, and never
-// where it would have to change so much that rather a datum is wrong.
+// the CG sideways with the force: tyres that give way and loads that sway do, at once and not with the roll
+// angle. A higher CG acts so in the component, a lower roll centre does not: its share would lag by the
+// body's roll. Therefore the nearest roll centre is taken, with the CG height that the loads then speak for,
+// unless the user wants to keep the given one, or it would have to change so much that rather a datum is
+// wrong.
 struct LoadFit {
     double roll_centre_at_given_height_m{};  // h_rc with the CG height of the vehicle data
     double deviation_m{};                    // of it, for a CG height known to 1 %
@@ -25,18 +27,12 @@ struct LoadFit {
     double roll_centre_height_m{};           // given to the component
     double agreeing_cg_height_m{};           // by the loads with that roll centre
     double cg_height_m{};                    // given to the component
-    bool contradicts_data{false};            // the CG height would have to change by more than 6 %
+    bool contradicts_data{false};            // the CG height would have to change by more than 15 %
 };
 
 // Uses the ramps that have wheel loads; nothing when none has.
 std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
-                                 bool fit_cg_height);
-
-// Moves roll centre and CG height of a `fit` that had to leave the given CG height, together so that the slow
-// turns still agree, to where the dynamic drives' wheel loads agree best: there A and phi do not move as one.
-void match_dynamic_loads(const VehicleData& vehicle, const RollFit& roll,
-                         const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics,
-                         LoadFit& fit);
+                                 bool keep_cg_height);
 
 // How the component's load transfer ratio, 2/(m N c_w) [alpha A + M(phi) + c phi'], differs from that of the
 // wheels; one entry for each drive that has wheel loads, in units of the ratio.

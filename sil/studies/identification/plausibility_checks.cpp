@@ -20,6 +20,8 @@ constexpr double largest_inertia_share = 1.3;
 // Radius of gyration over track width, of bodies that are given: beyond the largest scatter of vehicles.
 constexpr double least_gyration_share = 0.25;
 constexpr double largest_gyration_share = 0.65;
+// Share by which a CG height measured on scales may be off.
+constexpr double unseen_share = 0.05;
 // s^2/m: heavy vehicles have up to half of it.
 constexpr double largest_understeer_gradient = 0.015;
 
@@ -97,9 +99,10 @@ class Warnings {
             warn(
                 "the drives show the stiffness up to {:.1f} deg of roll, and what fits best there would "
                 "run away beyond, before {:.1f} deg, where the component still needs it: its slope is "
-                "held between half and twice that at the end of the data. A ramp that goes further would "
-                "show it",
-                roll.data_end_rad * degrees_per_radian, roll.needed_up_to_rad * degrees_per_radian);
+                "held between {:.2g} and {:.2g} times that at the end of the data. A ramp that goes further "
+                "would show it",
+                roll.data_end_rad * degrees_per_radian, roll.needed_up_to_rad * degrees_per_radian,
+                1.0 / roll.largest_slope_share, roll.largest_slope_share);
         }
     }
 
@@ -138,8 +141,22 @@ class Warnings {
         if (vehicle.roll_inertia_kgm2) {
             about_given_inertia(*vehicle.roll_inertia_kgm2);
         }
-        const double fitted = result_.roll.inertia_kgm2.value;
+        const auto& refused = result_.roll.refused_inertia_kgm2;
+        const double fitted = refused.value_or(result_.roll.inertia_kgm2.value);
         const double usual = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
+        if (refused) {
+            warn(
+                "the drives alone would give an Ixx of {:.0f} kg m2, which no body has: {:.0f} kg m2 is "
+                "taken, "
+                "{}, and stiffness and damping are fitted with it. Something else follows the roll "
+                "acceleration: check masses, CG height and imu_z_m (negative when the IMU is below the "
+                "sprung CG{}); a frame that twists and a roll angle of another place than the IMU's do that, "
+                "too",
+                fitted, result_.roll.inertia_kgm2.value,
+                vehicle.roll_inertia_kgm2 ? "that of the vehicle data" : "the rule of thumb",
+                other_sign_text(fitted, usual));
+            return;
+        }
         if (fitted > least_inertia_share * usual && fitted < largest_inertia_share * usual) {
             return;
         }
@@ -185,9 +202,34 @@ class Warnings {
                 result_.roll_centre_height_m, rigid_axle_m(),
                 100.0 * (1.0 / ratio_at_computed_lift(rigid_axle_m()) - 1.0));
         }
+        if (!result_.loads) {
+            about_unchecked_heights();
+        }
         if (result_.loads) {
             about_loads(*result_.loads);
         }
+    }
+
+    // In metres, because that is how they are measured again.
+    void about_unchecked_heights() {
+        const VehicleData& vehicle = result_.vehicle;
+        const double higher_m = unseen_share * vehicle.sprung_cg_height_m;
+        const double lift_rad = rollover_angle_rad(vehicle, result_.roll);
+        const double lean_mps2 = g_mps2 * std::tan(lift_rad);
+        const double whole_nm = 0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m;
+        // At the computed lift: (m_s h + m_u h_u) A + m_s H g tan phi = whole_nm.
+        const double parallel_mps2 = (whole_nm - vehicle.sprung_mass_kg * result_.roll.arm_m * lean_mps2) /
+                                     (vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m +
+                                      vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m);
+        const double more = vehicle.sprung_mass_kg * higher_m * (parallel_mps2 + lean_mps2) / whole_nm;
+        warn(
+            "without wheel loads nothing checks these heights: the sprung CG's, {:.3f} m of the vehicle "
+            "data, "
+            "and the roll centre's, {:.2f} m, which suspensions have between 0 and {:.2f} m. If the CG lies "
+            "{:.3f} m higher ({:.0f} %), there is {:.0f} % more load transfer than the component sees, and "
+            "warnings come late; if it lies as much lower, early",
+            vehicle.sprung_cg_height_m, result_.roll_centre_height_m, rigid_axle_m(), higher_m,
+            100.0 * unseen_share, 100.0 * more);
     }
 
     void about_loads(const LoadFit& loads) {
@@ -210,8 +252,9 @@ class Warnings {
         } else if (matched) {
             warn(
                 "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
-                "that give sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in "
-                "place of {:.3f} m, which together give the wheel loads",
+                "that give sideways or a load that sways do that, or a wrong CG height. It is set to "
+                "{:.2f} m, and the CG height to {:.3f} m in place of {:.3f} m, which together give the "
+                "wheel loads. --keep-cg-height keeps the given height",
                 loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, loads.cg_height_m,
                 result_.given_cg_height_m);
         } else if (loads.agreeing_cg_height_m != result_.given_cg_height_m) {
@@ -224,7 +267,7 @@ class Warnings {
             warn(
                 "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
                 "that give sideways do that. A CG height of {:.3f} m would agree with the wheel loads: "
-                "measure it again, or let it be fitted with --fit-cg-height",
+                "measure it again, or leave --keep-cg-height out",
                 loads.roll_centre_at_given_height_m, loads.agreeing_cg_height_m);
         }
         const double ratio = ratio_at_computed_lift(loads.roll_centre_at_given_height_m);

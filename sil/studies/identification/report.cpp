@@ -130,6 +130,8 @@ std::string identification_report(const Identification& result) {
             "times the steering's rate\n",
             steering.r_squared, steering.rms_rad * degrees_per_radian, steering.lag_s);
     }
+    text += fmt::format("\nLimit of the tyres: {:.2f} g, {}\n", result.tyres.largest_mps2 / g_mps2,
+                        result.tyres.origin);
     if (result.response) {
         const ResponseFit& response = *result.response;
         text += fmt::format(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -85,15 +86,24 @@ void refuse_without_excitation(const std::vector<PreparedDrive>& ramps,
 }
 
 constexpr double usual_gyration_share = 0.42;  // of the track width
+// Share of the rule of thumb, or of the data sheet's Ixx. A body has more, on soft tyres too: with less its
+// mass would lie within a fifth of the track width about its middle. Then something else follows the roll
+// acceleration, such as a frame that twists, and takes its place in the fit.
+constexpr double impossible_inertia_share = 0.2;
 // Stops and bump rubbers stiffen a suspension; none grows soft.
 constexpr double least_slope_share = 0.5;
 constexpr double beyond_rollover = 1.5;
-// If no drive shows the curve, its slope stays within these shares of the one at the end of the data, up to
-// the largest angle at which the component still needs it: a little beyond the lift of the inner wheels, so
-// far as a prediction looks. Further on every answer is "warn".
+// If no drive shows the curve, its slope stays within these shares, and one over them, of the one at the end
+// of the data: nearly straight as springs go on, and less so only if that would change the curve within the
+// data, as it does where they show a stop. This holds up to the largest angle at which the component still
+// needs the curve, a little beyond the lift of the inner wheels, so far as a prediction looks. Without a stop
+// it holds at least as far beyond the data as a fast turn swings further than the slow one. Further on every
+// answer is "warn".
 constexpr double beyond_lift = 1.2;
-constexpr double least_slope_beyond_data = 0.5;
+constexpr double beyond_data = 1.5;
+constexpr std::array<double, 2> straight_slope_shares{1.5, 1.75};
 constexpr double largest_slope_beyond_data = 2.0;
+constexpr double largest_change_within_data = 0.01;
 
 bool rises_up_to(const RollFit& fit, double limit_rad) {
     for (int k = 0; k <= 100; ++k) {
@@ -104,12 +114,12 @@ bool rises_up_to(const RollFit& fit, double limit_rad) {
     return true;
 }
 
-bool stays_plausible(const RollFit& fit, double limit_rad) {
+bool stays_plausible(const RollFit& fit, double limit_rad, double largest_share) {
     const double at_end = fit.slope_nmprad(fit.data_end_rad);
     for (int k = 1; k <= 100 && limit_rad > fit.data_end_rad; ++k) {
         const double angle = fit.data_end_rad + 0.01 * k * (limit_rad - fit.data_end_rad);
         const double share = fit.slope_nmprad(angle) / at_end;
-        if (share < least_slope_beyond_data || share > largest_slope_beyond_data) {
+        if (share * largest_share < 1.0 || share > largest_share) {
             return false;
         }
     }
@@ -126,6 +136,92 @@ double largest_angle_rad(const std::vector<PreparedDrive>& ramps,
     }
     return largest;
 }
+
+bool agree_within_data(const RollFit& fit, const RollFit& reference) {
+    for (int k = 1; k <= 20; ++k) {
+        const double angle = 0.05 * k * reference.data_end_rad;
+        const double moment_nm = reference.moment_nm(angle);
+        if (std::abs(fit.moment_nm(angle) - moment_nm) > largest_change_within_data * moment_nm) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Fits of one problem under different constraints of the curve.
+struct CurveFit {
+    const VehicleData& vehicle;
+    double arm_m;
+    const CurveLimits& limits;
+    RollProblem& problem;
+
+    RollFit solve(const CurveShape& curve) const {
+        RollFit fit = problem.solve(curve).with_arm(arm_m);
+        fit.data_end_rad = curve.data_end_rad;
+        return fit;
+    }
+
+    // Up to here the slope may be at most `largest_share` times that at the end of the data.
+    double furthest_rad(const RollFit& fit, double largest_share) const {
+        const double needed_rad = beyond_lift * rollover_angle_rad(vehicle, fit);
+        return largest_share < largest_slope_beyond_data
+                   ? std::max(needed_rad, beyond_data * fit.data_end_rad)
+                   : needed_rad;
+    }
+
+    bool goes_on_straight(const RollFit& fit, double largest_share) const {
+        return stays_plausible(fit, furthest_rad(fit, largest_share), largest_share);
+    }
+
+    bool rises(const RollFit& fit) const {
+        return rises_up_to(fit, beyond_rollover * rollover_angle_rad(vehicle, fit));
+    }
+
+    RollFit shaped(CurveShape curve, double largest_share) const {
+        RollFit fit = solve(curve);
+        bool flattened = false, held = false, limited = false;
+        for (int pass = 0; pass < 30; ++pass) {
+            curve.limit_rad = furthest_rad(fit, largest_share);
+            if (!rises(fit)) {
+                flattened = true;
+                curve.freedom *= 0.6;
+            } else if (!stays_plausible(fit, curve.limit_rad, largest_share)) {
+                held = true;
+                curve.hold = curve.hold > 0.0 ? 3.0 * curve.hold : 1.0;
+            } else if (!limits.admit(fit)) {
+                limited = true;
+                curve.freedom *= 0.6;
+            } else {
+                break;
+            }
+            fit = solve(curve);
+        }
+        fit.curve_flattened = flattened;
+        fit.curve_held = held;
+        fit.curve_limited = limited;
+        fit.largest_slope_share = largest_share;
+        return fit;
+    }
+
+    // As straight beyond the data as the curve within them allows. A falling quintic term lets a curve that
+    // rises within the data go on straight.
+    RollFit straightened(const RollFit& fit, CurveShape curve) const {
+        curve.quintic = true;
+        for (const double share : straight_slope_shares) {
+            RollFit straighter = fit;
+            if (!goes_on_straight(fit, share)) {
+                straighter = shaped(curve, share);
+                straighter.curve_held = fit.curve_held;
+            }
+            if (rises(straighter) && goes_on_straight(straighter, share) && limits.admit(straighter) &&
+                agree_within_data(straighter, fit)) {
+                straighter.largest_slope_share = share;
+                return straighter;
+            }
+        }
+        return fit;
+    }
+};
 
 Estimate scaled(const Estimate& estimate, double factor) {
     return {estimate.value * factor, estimate.deviation * factor, estimate.prior_deviation * factor};
@@ -172,37 +268,18 @@ RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vect
     RollProblem problem{vehicle, arm.usual, ramps, dynamics};
     CurveShape curve;
     curve.data_end_rad = largest_angle_rad(ramps, dynamics);
-    const auto solve = [&] {
-        RollFit fit = problem.solve(curve).with_arm(arm.used);
-        fit.data_end_rad = curve.data_end_rad;
-        return fit;
-    };
-    RollFit fit = solve();
+    const CurveFit curve_fit{vehicle, arm.used, limits, problem};
+    RollFit fit = curve_fit.solve(curve);
+    const double usual_kgm2 = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
+    std::optional<double> refused_kgm2;
+    if (fit.inertia_kgm2.value < impossible_inertia_share * usual_kgm2) {
+        refused_kgm2 = fit.inertia_kgm2.value;
+        problem.hold_inertia();
+        fit = curve_fit.solve(curve);
+    }
     curve.quintic = fit.stiffness_quintic_nmprad5.value > 0.0;
-    if (!curve.quintic) {
-        fit = solve();
-    }
-    bool flattened = false, held = false, limited = false;
-    for (int pass = 0; pass < 30; ++pass) {
-        const double lift_rad = rollover_angle_rad(vehicle, fit);
-        curve.limit_rad = beyond_lift * lift_rad;
-        if (!rises_up_to(fit, beyond_rollover * lift_rad)) {
-            flattened = true;
-            curve.freedom *= 0.6;
-        } else if (!stays_plausible(fit, curve.limit_rad)) {
-            held = true;
-            curve.hold = curve.hold > 0.0 ? 3.0 * curve.hold : 1.0;
-        } else if (!limits.admit(fit)) {
-            limited = true;
-            curve.freedom *= 0.6;
-        } else {
-            break;
-        }
-        fit = solve();
-    }
-    fit.curve_flattened = flattened;
-    fit.curve_held = held;
-    fit.curve_limited = limited;
+    fit = curve_fit.straightened(curve_fit.shaped(curve, largest_slope_beyond_data), curve);
+    fit.refused_inertia_kgm2 = refused_kgm2;
     fit.needed_up_to_rad = beyond_lift * rollover_angle_rad(vehicle, fit);
     return fit;
 }

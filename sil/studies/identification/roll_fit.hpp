@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +37,12 @@ struct RollFit {
     std::vector<DriveResidual> drives;  // ramps first; in N m
     double data_end_rad{};              // the largest roll angle of the drives; the curve beyond is a guess
     double needed_up_to_rad{};          // by the component: a little beyond the lift of the inner wheels
-    bool curve_flattened{false};        // the curve had to be held back to rise up to rollover
-    bool curve_held{false};             // its slope beyond the data had to be
-    bool curve_limited{false};          // its coefficients had to be, to CurveLimits
+    // The best fit, if no body has so little; then the data sheet's or the rule of thumb is taken.
+    std::optional<double> refused_inertia_kgm2;
+    bool curve_flattened{false};   // the curve had to be held back to rise up to rollover
+    bool curve_held{false};        // its slope beyond the data had to be
+    double largest_slope_share{};  // beyond the data, of the slope at their end; one over it is the least
+    bool curve_limited{false};     // its coefficients had to be, to CurveLimits
 
     double moment_nm(double roll_angle_rad) const;
     double slope_nmprad(double roll_angle_rad) const;

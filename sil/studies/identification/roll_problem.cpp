@@ -17,6 +17,7 @@ constexpr double curve_reference_rad = 0.1;
 constexpr double curve_share = 0.5;
 constexpr double inertia_prior_share = 0.4;
 constexpr double known_inertia_share = 0.05;
+constexpr double held_inertia_share = 1.0e-4;
 constexpr double dynamic_stiffness_share = 0.05;
 constexpr double offset_after_straight_g = 0.01;
 constexpr double offset_otherwise_g = 0.06;
@@ -78,7 +79,9 @@ std::vector<Prior> RollProblem::priors(double freedom) const {
     const double k = rough_stiffness_nmprad_;
     const double square = curve_reference_rad * curve_reference_rad;
     const double inertia = vehicle_.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle_));
-    const double inertia_share = vehicle_.roll_inertia_kgm2 ? known_inertia_share : inertia_prior_share;
+    const double inertia_share = inertia_held_                ? held_inertia_share
+                                 : vehicle_.roll_inertia_kgm2 ? known_inertia_share
+                                                              : inertia_prior_share;
     const double held = std::max(0.3 * k, k - mass_arm_kgm_ * g_mps2);
     const double damping = 2.0 * 0.3 * std::sqrt(held * inertia);
     std::vector<Prior> priors{

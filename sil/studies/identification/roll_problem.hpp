@@ -27,6 +27,9 @@ class RollProblem {
 
     RollFit solve(const CurveShape& curve);
 
+    // From now on Ixx is that of the vehicle data or the rule of thumb, whatever the drives show.
+    void hold_inertia() { inertia_held_ = true; }
+
  private:
     struct Member {
         const PreparedDrive* drive;
@@ -46,6 +49,7 @@ class RollProblem {
     double mass_arm_kgm_;
     double arm_m_;
     double rough_stiffness_nmprad_{};
+    bool inertia_held_{false};
     CurveShape curve_{};
     std::vector<Member> drives_;
 };

@@ -5,19 +5,22 @@
 #include <vector>
 
 #include "sil/studies/identification/prepared_drive.hpp"
-#include "sil/studies/identification/steering_fit.hpp"
 #include "sil/studies/identification/vehicle_data.hpp"
 
 namespace sil {
 
 struct TyreLimit {
     double largest_mps2{};
-    std::string origin;  // in words
+    bool is_shown{false};  // by a ramp; otherwise it is left open, far beyond what was seen
+    std::string origin;    // in words
 };
 
-// A ramp that a wheel's lift ended leaves open what the tyres would still have given; in one whose steering
-// asked for far more than came, they gave all. Any other ramp says nothing: a dry road is assumed.
-TyreLimit tyre_limit(const VehicleData& vehicle, const SteeringFit* steering,
-                     const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics);
+// Only a ramp whose lateral force stopped growing while the steering grew on shows what the tyres give. One
+// that its driver, or a wheel's lift, ended before says nothing, however much more its steering asked for
+// than came: tyres that understeer more and more do that as well. Then the limit stays open, beyond what was
+// seen and beyond what lifts the wheels, or no lift-off could be foretold; likewise if no ramp has steering,
+// yaw rate and speed. `ramps` must not be empty.
+TyreLimit tyre_limit(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                     const std::vector<PreparedDrive>& dynamics);
 
 }  // namespace sil

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "sil/studies/identification/identification.hpp"
@@ -11,6 +14,7 @@ namespace {
 
 using identification_test::KnownBody;
 using identification_test::Recording;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -194,30 +198,57 @@ TEST(KnownBodyTest, TheFittedCurveRisesUpToRollover) {
     }
 }
 
+// Load transfer of the wheels over the component's, in the slow turn.
+double seen_ratio(const sil::Identification& result) {
+    const sil::RollSample& sample = result.ramps.front().samples[1500];
+    return sample.load_moment_nm / sil::component_load_moment_nm(result.vehicle, result.roll, sample);
+}
+
 // Tyres that give way sideways move the CG out with the force, as a higher CG would.
+// A load that sways does so still more: 10 %.
 TEST(KnownBodyTest, MatchesTheCgHeightWhenTheWheelLoadsAskForAnImpossibleRollCentre) {
+    for (const double share : {0.96, 0.9}) {
+        const KnownBody body;
+        sil::VehicleData data = identification_test::data_sheet_of(body);
+        data.sprung_cg_height_m = share * body.sprung_cg_height_m;
+        const sil::Identification result = identified(body, data);
+        EXPECT_LT(result.loads->roll_centre_at_given_height_m, 0.0) << share;
+        EXPECT_GT(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
+        EXPECT_GE(result.roll_centre_height_m, 0.0);
+        for (const sil::DriveResidual& drive : result.load_transfer) {
+            EXPECT_LT(drive.rms, 0.02) << drive.name;
+        }
+        EXPECT_NEAR(seen_ratio(result), 1.0, 0.01) << share;
+        EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("late and missed warnings")))) << share;
+        EXPECT_THAT(result.warnings, Contains(HasSubstr("which together give the wheel loads"))) << share;
+    }
+}
+
+// The CG height stands for it even if the roll centre does lie there.
+TEST(KnownBodyTest, HonoursTheLoadTransferOfARollCentreBelowTheRoad) {
+    KnownBody body;
+    body.stiffness_nmprad = 150.0e3;
+    body.roll_centre_height_m = -0.3;
+    const sil::Identification result = identified(body, identification_test::data_sheet_of(body));
+    EXPECT_NEAR(result.loads->roll_centre_at_given_height_m, body.roll_centre_height_m, 0.01);
+    EXPECT_NEAR(seen_ratio(result), 1.0, 0.01);
+    sil::IdentificationOptions options;
+    options.keep_cg_height = true;
+    EXPECT_GT(seen_ratio(identified(body, identification_test::data_sheet_of(body), {}, options)), 1.02);
+}
+
+// The user has measured it; what the loads ask for is said.
+TEST(KnownBodyTest, KeepsTheCgHeightWhenAskedTo) {
     const KnownBody body;
     sil::VehicleData data = identification_test::data_sheet_of(body);
     data.sprung_cg_height_m = 0.96 * body.sprung_cg_height_m;
     sil::IdentificationOptions options;
-    options.fit_cg_height = true;
+    options.keep_cg_height = true;
     const sil::Identification result = identified(body, data, {}, options);
-    EXPECT_GT(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
-    EXPECT_GE(result.roll_centre_height_m, 0.0);
-    for (const sil::DriveResidual& drive : result.load_transfer) {
-        EXPECT_LT(drive.rms, 0.02) << drive.name;
-    }
-}
-
-// The user has measured it; what the loads ask for is said.
-TEST(KnownBodyTest, LeavesTheCgHeightAloneUnlessAskedTo) {
-    const KnownBody body;
-    sil::VehicleData data = identification_test::data_sheet_of(body);
-    data.sprung_cg_height_m = 0.96 * body.sprung_cg_height_m;
-    const sil::Identification result = identified(body, data);
     EXPECT_DOUBLE_EQ(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
     EXPECT_DOUBLE_EQ(result.roll_centre_height_m, 0.0);
-    EXPECT_THAT(result.warnings, Contains(HasSubstr("--fit-cg-height")));
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("leave --keep-cg-height out")));
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("late and missed warnings")));
     EXPECT_EQ(result.cg_height_origin, "vehicle data");
 }
 
@@ -248,8 +279,8 @@ TEST(KnownBodyTest, TheRollCentreStaysBelowSevenTenthsOfTheCgHeight) {
     EXPECT_NEAR(identified(body, identification_test::data_sheet_of(body)).roll_centre_height_m,
                 body.roll_centre_height_m, 0.003);
     body.roll_centre_height_m = 0.72 * body.sprung_cg_height_m;
-    EXPECT_DOUBLE_EQ(identified(body, identification_test::data_sheet_of(body)).roll_centre_height_m,
-                     0.7 * body.sprung_cg_height_m);
+    EXPECT_NEAR(identified(body, identification_test::data_sheet_of(body)).roll_centre_height_m,
+                0.7 * body.sprung_cg_height_m, 1e-9);
 }
 
 TEST(KnownBodyTest, WithoutWheelLoadsNoRollCentreAboveTheRoadIsMissedAndTheCostIsSaid) {
@@ -283,7 +314,7 @@ TEST(KnownBodyTest, TheCurveStaysPlausibleBeyondTheData) {
     const sil::VehicleData data = identification_test::data_sheet_of(body);
     const sil::Identification result =
         sil::identify(data, {identification_test::ramp_of(body, 3.2)}, {identification_test::steps_of(body)});
-    EXPECT_THAT(result.warnings, Contains(HasSubstr("held between half")));
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("slope is held")));
     const double at_end = result.roll.slope_nmprad(result.roll.data_end_rad);
     const double lift_rad = sil::rollover_angle_rad(data, result.roll);
     EXPECT_LT(result.roll.data_end_rad, 0.5 * lift_rad);
@@ -291,6 +322,29 @@ TEST(KnownBodyTest, TheCurveStaysPlausibleBeyondTheData) {
     for (double phi = result.roll.data_end_rad; phi < 1.2 * lift_rad; phi += 0.001) {
         EXPECT_GE(result.roll.slope_nmprad(phi), 0.5 * at_end) << phi;
         EXPECT_LE(result.roll.slope_nmprad(phi), 2.0 * at_end) << phi;
+    }
+}
+
+// Springs go on straight where the data show no stop: 1.5 times the slope at the end of the data, and no less
+// than two thirds of it, a little beyond the lift and half beyond the data.
+TEST(KnownBodyTest, TheCurveGoesNearlyStraightBeyondDataWithoutAStop) {
+    for (const double cubic : {0.0, 2.0e6, 3.0e6}) {
+        KnownBody body;
+        body.stiffness_cubic_nmprad3 = cubic;
+        const sil::VehicleData data = identification_test::data_sheet_of(body);
+        const sil::RollFit roll = sil::identify(data, {identification_test::ramp_of(body, 6.5)},
+                                                {identification_test::steps_of(body)})
+                                      .roll;
+        const double at_end = roll.slope_nmprad(roll.data_end_rad);
+        const double furthest_rad =
+            std::max(1.5 * roll.data_end_rad, 1.2 * sil::rollover_angle_rad(data, roll));
+        for (double phi = roll.data_end_rad; phi < furthest_rad; phi += 0.001) {
+            EXPECT_GE(roll.slope_nmprad(phi), 0.66 * at_end) << cubic << " " << phi;
+            EXPECT_LE(roll.slope_nmprad(phi), 1.51 * at_end) << cubic << " " << phi;
+        }
+        for (double phi = 0.005; phi < roll.data_end_rad; phi += 0.005) {
+            EXPECT_NEAR(roll.moment_nm(phi), body.moment_nm(phi), 0.01 * body.moment_nm(phi)) << cubic;
+        }
     }
 }
 
@@ -334,16 +388,56 @@ TEST(KnownBodyTest, TheRulesOfThumbTakeTheArmThatTheWheelLoadsGive) {
 TEST(KnownBodyTest, ACurveThatTheDataShowIsNotHeld) {
     const KnownBody body;
     EXPECT_THAT(identified(body, identification_test::data_sheet_of(body)).warnings,
-                Not(Contains(HasSubstr("held between half"))));
+                Not(Contains(HasSubstr("slope is held"))));
+}
+
+// The IMU sits above the CG and is said to sit below: what is missing of the force's moment goes into Ixx.
+TEST(KnownBodyTest, TakesTheRuleOfThumbWhereTheDrivesGiveAnInertiaThatNoBodyHas) {
+    KnownBody body;
+    body.imu_z_m = 0.45;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.imu_z_m = -0.45;
+    const sil::Identification result = identified(body, data);
+    ASSERT_TRUE(result.roll.refused_inertia_kgm2);
+    EXPECT_LT(*result.roll.refused_inertia_kgm2, 0.0);
+    const double usual_kgm2 = sil::usual_roll_inertia_kgm2(data);
+    EXPECT_NEAR(result.value("roll_inertia_kgm2"), usual_kgm2, 0.02 * usual_kgm2);
+    EXPECT_GT(result.roll.damping_nmsprad.value, 0.0);
+    EXPECT_THAT(result.warnings, Contains(AllOf(HasSubstr("which no body has"), HasSubstr("imu_z_m"))));
+    data.roll_inertia_kgm2 = 700.0;
+    EXPECT_GT(identified(body, data).value("roll_inertia_kgm2"), 500.0);
+}
+
+TEST(KnownBodyTest, WithoutWheelLoadsSaysInMetresWhichHeightsNothingChecks) {
+    const KnownBody body;
+    const sil::VehicleData data = identification_test::data_sheet_of(body);
+    const auto are_unchecked = AllOf(HasSubstr("nothing checks these heights"), HasSubstr("0.850 m"),
+                                     HasSubstr("0.043 m higher (5 %)"));
+    Recording recording;
+    recording.wheel_loads = false;
+    EXPECT_THAT(identified(body, data, recording).warnings, Contains(are_unchecked));
+    EXPECT_THAT(identified(body, data).warnings, Not(Contains(are_unchecked)));
+    // The cost that it names is what the component then computes too little.
+    sil::VehicleData higher = data;
+    higher.sprung_cg_height_m *= 1.05;
+    const auto moment_nm = [&](const sil::VehicleData& vehicle) {
+        sil::VehicleData given = vehicle;
+        given.roll_centre_height_m = 0.0;
+        const sil::Identification result = identified(body, given, recording);
+        return sil::component_load_moment_nm(given, result.roll, result.ramps.front().samples[1500]);
+    };
+    EXPECT_THAT(identified(body, data, recording).warnings,
+                Contains(HasSubstr(fmt::format("there is {:.0f} % more load transfer",
+                                               100.0 * (moment_nm(higher) / moment_nm(data) - 1.0)))));
 }
 
 // A CG height so wrong that no roll centre makes it agree with the wheel loads.
-sil::Identification contradicted(double height_share, const sil::IdentificationOptions& options = {}) {
+sil::Identification contradicted(double height_share) {
     KnownBody body;
     body.stiffness_cubic_nmprad3 = 0.0;
     sil::VehicleData data = identification_test::data_sheet_of(body);
     data.sprung_cg_height_m = height_share * body.sprung_cg_height_m;
-    return identified(body, data, {}, options);
+    return identified(body, data);
 }
 
 std::string origin_of_roll_centre(const sil::Identification& result) {
@@ -353,12 +447,6 @@ std::string origin_of_roll_centre(const sil::Identification& result) {
         }
     }
     return {};
-}
-
-// Load transfer of the wheels over the component's, in the slow turn.
-double seen_ratio(const sil::Identification& result) {
-    const sil::RollSample& sample = result.ramps.front().samples[1500];
-    return sample.load_moment_nm / sil::component_load_moment_nm(result.vehicle, result.roll, sample);
 }
 
 double said_ratio(const sil::Identification& result) {
@@ -377,7 +465,7 @@ TEST(KnownBodyTest, TakesTheNearestRollCentreWhereCgHeightAndWheelLoadsContradic
     EXPECT_DOUBLE_EQ(low.roll_centre_height_m, 0.0);
     EXPECT_THAT(low.warnings, Contains(HasSubstr("It costs late and missed warnings")));
     EXPECT_GT(seen_ratio(low), 1.1);
-    const sil::Identification high = contradicted(1.25);
+    const sil::Identification high = contradicted(1.35);
     EXPECT_DOUBLE_EQ(high.roll_centre_height_m, 0.7 * high.given_cg_height_m);
     EXPECT_THAT(high.warnings, Contains(HasSubstr("It costs early warnings")));
     EXPECT_LT(seen_ratio(high), 0.95);
@@ -391,20 +479,17 @@ TEST(KnownBodyTest, TakesTheNearestRollCentreWhereCgHeightAndWheelLoadsContradic
 }
 
 TEST(KnownBodyTest, DoesNotFitACgHeightThatContradictsTheWheelLoads) {
-    sil::IdentificationOptions options;
-    options.fit_cg_height = true;
-    const sil::Identification beyond = contradicted(0.8, options);
+    const sil::Identification beyond = contradicted(0.8);
     EXPECT_DOUBLE_EQ(beyond.vehicle.sprung_cg_height_m, beyond.given_cg_height_m);
     EXPECT_THAT(beyond.warnings, Contains(HasSubstr("It costs late and missed warnings")));
 }
 
-TEST(KnownBodyTest, MoreThanSixPerCentOfTheCgHeightIsAContradiction) {
-    for (const double share : {0.914, 0.916}) {
+TEST(KnownBodyTest, MoreThanFifteenPerCentOfTheCgHeightIsAContradiction) {
+    for (const double share : {0.842, 0.845}) {
         const sil::Identification result = contradicted(share);
-        EXPECT_NEAR(result.loads->agreeing_cg_height_m / result.given_cg_height_m, 1.06, 0.002) << share;
-        EXPECT_EQ(result.loads->contradicts_data, share < 0.915) << share;
-        EXPECT_DOUBLE_EQ(result.roll_centre_height_m, 0.0) << share;
-        EXPECT_THAT(result.warnings, Contains(HasSubstr("It costs late and missed warnings"))) << share;
+        EXPECT_NEAR(result.loads->agreeing_cg_height_m / result.given_cg_height_m, 1.15, 0.003) << share;
+        EXPECT_EQ(result.loads->contradicts_data, share < 0.8435) << share;
+        EXPECT_EQ(result.vehicle.sprung_cg_height_m == result.given_cg_height_m, share < 0.8435) << share;
     }
 }
 

@@ -2,6 +2,7 @@
 // by drives that the fit has not seen.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -94,6 +95,22 @@ TEST_P(SimulatedVehicle, LoadTransferOfUnseenDrivesIsThatOfTheWheels) {
         const auto residuals = sil::load_transfer_residuals(result.vehicle, result.roll, {unseen});
         ASSERT_EQ(residuals.size(), 1U);
         EXPECT_LT(residuals.front().rms, 0.03) << manoeuvre;
+    }
+}
+
+TEST_P(SimulatedVehicle, EachFittedValueBearsACorrection) {
+    const sil::Identification result = identified(GetParam());
+    for (const sil::IdentifiedValue& value : result.values) {
+        const auto field =
+            std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
+                         [&value](const rsi::ParameterField& each) { return value.key == each.name; });
+        if (field == rsi::parameter_fields.end() || value.origin == "vehicle data") {
+            continue;
+        }
+        for (const double share : {0.8, 1.2}) {
+            EXPECT_GE(share * value.value, static_cast<double>(field->minimum)) << value.key;
+            EXPECT_LE(share * value.value, static_cast<double>(field->maximum)) << value.key;
+        }
     }
 }
 

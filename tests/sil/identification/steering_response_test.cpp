@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "sil/studies/identification/identification.hpp"
@@ -135,59 +136,139 @@ TEST(SteeringResponse, TheDemandIsThatOfTheComponent) {
     EXPECT_NEAR(sil::steering_demand_mps2(oversteering, sample), 400.0 * 0.05 / 15.0 / 0.28, 1e-12);
 }
 
-class TyreLimit : public testing::Test {
- protected:
-    KnownBody body_{};
-    sil::VehicleData vehicle_{identification_test::data_sheet_of(body_)};
-    sil::SteeringFit steering_{};
+// A ramp to the left and back, as its driver steers it: `force_mps2` says what comes of what is asked for.
+sil::PreparedDrive ramp(double most_asked_mps2, const std::function<double(double)>& force_mps2,
+                        const KnownBody& body = {}) {
+    const auto asked = [most_asked_mps2](double time_s) {
+        return most_asked_mps2 * std::clamp(std::min((time_s - 1.0) / 12.0, (16.0 - time_s) / 3.0), 0.0, 1.0);
+    };
+    Recording recording;
+    recording.demand_mps2 = asked;
+    return sil::prepare_drive(
+        drive_of(
+            body, 17.0, [&](double time_s) { return force_mps2(asked(time_s)); }, recording),
+        identification_test::data_sheet_of(body), {});
+}
 
-    TyreLimit() {
-        steering_.ratio.value = 10.0;
-        steering_.understeer_gradient_s2pm.value = 0.0;
+constexpr double grip_mps2 = 7.0;
+
+// A brush tyre: linear at first, and no more than the grip.
+double of_brush_tyres(double asked_mps2) {
+    const double rest = 1.0 - std::min(asked_mps2 / (3.0 * grip_mps2), 1.0);
+    return grip_mps2 * (1.0 - rest * rest * rest);
+}
+
+// Its driver stops at 6.3 m/s^2, where |LTR| is about 0.7.
+double of_good_tyres(double asked_mps2) {
+    return asked_mps2;
+}
+
+// Understeers more and more, but the force grows on: for 5 m/s^2 it asks for 7.5.
+double of_understeering_tyres(double asked_mps2) {
+    double force = 0.0;
+    for (int k = 0; k < 100; ++k) {
+        force = asked_mps2 / (1.0 + force * force / 50.0);
     }
+    return force;
+}
 
-    // A ramp that reaches `largest_mps2` and asks for `asked_mps2`.
-    static sil::PreparedDrive ramp(double largest_mps2, double asked_mps2) {
-        sil::PreparedDrive drive;
-        drive.has_steering = true;
-        drive.largest_parallel_mps2 = largest_mps2;
-        sil::RollSample sample{};
-        sample.speed_mps = 20.0;
-        sample.steering_wheel_angle_rad = 10.0 * asked_mps2 * KnownBody{}.wheelbase_m / 400.0;
-        drive.samples.push_back(sample);
-        return drive;
+double load_transfer_ratio(const sil::PreparedDrive& drive, const KnownBody& body = {}) {
+    double largest = 0.0;
+    for (const sil::RollSample& sample : drive.samples) {
+        largest = std::max(largest, std::abs(sample.load_moment_nm));
     }
+    return 2.0 * largest / ((body.sprung_mass_kg + body.unsprung_mass_kg) * sil::g_mps2 * body.track_width_m);
+}
 
-    double limit(const std::vector<sil::PreparedDrive>& ramps,
-                 const std::vector<sil::PreparedDrive>& dynamics = {}) const {
-        return sil::tyre_limit(vehicle_, &steering_, ramps, dynamics).largest_mps2;
+sil::TyreLimit tyre_limit(const std::vector<sil::PreparedDrive>& ramps,
+                          const std::vector<sil::PreparedDrive>& dynamics, const KnownBody& body = {}) {
+    return sil::tyre_limit(identification_test::data_sheet_of(body), ramps, dynamics);
+}
+
+TEST(TyreLimit, IsShownByARampWhoseForceStopsGrowing) {
+    const sil::TyreLimit limit = tyre_limit({ramp(20.0, of_brush_tyres)}, {});
+    EXPECT_TRUE(limit.is_shown);
+    EXPECT_NEAR(limit.largest_mps2, grip_mps2, 0.1 * grip_mps2);
+    EXPECT_THAT(limit.origin, HasSubstr("grew no more while the steering did"));
+}
+
+TEST(TyreLimit, IsShownByATurnToEitherSide) {
+    sil::PreparedDrive to_the_right = ramp(20.0, of_brush_tyres);
+    for (sil::RollSample& sample : to_the_right.samples) {
+        sample.parallel_mps2 *= -1.0;
+        sample.steering_wheel_angle_rad *= -1.0;
     }
-};
+    EXPECT_TRUE(tyre_limit({to_the_right}, {}).is_shown);
+}
 
-TEST_F(TyreLimit, IsFarBeyondARampThatALiftEnded) {
-    sil::PreparedDrive lifted = ramp(6.0, 6.0);
+TEST(TyreLimit, LiesAboveADynamicDriveThatReachesMore) {
+    const sil::PreparedDrive dynamic = ramp(8.0, of_good_tyres);
+    const sil::TyreLimit limit = tyre_limit({ramp(20.0, of_brush_tyres)}, {dynamic});
+    EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.05 * dynamic.largest_parallel_mps2);
+}
+
+TEST(TyreLimit, IsOpenWhereTheDriverStopped) {
+    const sil::PreparedDrive stopped = ramp(6.3, of_good_tyres);
+    EXPECT_NEAR(load_transfer_ratio(stopped), 0.7, 0.05);
+    const sil::TyreLimit limit = tyre_limit({stopped}, {});
+    EXPECT_FALSE(limit.is_shown);
+    EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.1 * sil::g_mps2);
+    const sil::PreparedDrive hard = ramp(9.0, of_good_tyres);
+    EXPECT_DOUBLE_EQ(tyre_limit({hard}, {}).largest_mps2, 1.4 * hard.largest_parallel_mps2);
+}
+
+// A limit below the threshold would foretell that it never lifts a wheel.
+TEST(TyreLimit, IsOpenBeyondWhatLiftsTheWheels) {
+    KnownBody low;
+    low.sprung_cg_height_m = 0.55;
+    low.roll_centre_height_m = 0.1;
+    EXPECT_DOUBLE_EQ(tyre_limit({ramp(6.0, of_good_tyres, low)}, {}, low).largest_mps2,
+                     low.track_width_m / (2.0 * low.sprung_cg_height_m) * sil::g_mps2);
+}
+
+// More asked for than came is no evidence: the force still grows.
+TEST(TyreLimit, IsOpenWhereTheSteeringAsksForHalfAsMuchAgain) {
+    const sil::PreparedDrive understeering = ramp(7.5, of_understeering_tyres);
+    EXPECT_LT(understeering.largest_parallel_mps2, 7.5 / 1.45);
+    const sil::TyreLimit limit = tyre_limit({understeering}, {});
+    EXPECT_FALSE(limit.is_shown);
+    EXPECT_GE(limit.largest_mps2, 1.4 * understeering.largest_parallel_mps2);
+    EXPECT_THAT(limit.origin, HasSubstr("open"));
+}
+
+// Half of the grip is used.
+TEST(TyreLimit, IsOpenWhereBrushTyresHaveAReserve) {
+    EXPECT_FALSE(tyre_limit({ramp(6.0, of_brush_tyres)}, {}).is_shown);
+}
+
+// The steering asks for no more than came: speed is lost while the wheel turns on.
+TEST(TyreLimit, IsOpenWhereTheSpeedIsLost) {
+    sil::PreparedDrive slowing = ramp(5.6, of_good_tyres);
+    for (sil::RollSample& sample : slowing.samples) {
+        const double lost = std::clamp((sample.time_s - 9.0) / 4.0, 0.0, 1.0);
+        sample.speed_mps *= 1.0 - 0.3 * lost;
+        sample.parallel_mps2 *= std::pow(1.0 - 0.3 * lost, 2);
+    }
+    EXPECT_FALSE(tyre_limit({slowing}, {}).is_shown);
+}
+
+TEST(TyreLimit, IsOpenWhereALiftEndedTheRamp) {
+    sil::PreparedDrive lifted = ramp(20.0, of_brush_tyres);
     lifted.cut_by_load_transfer = true;
-    EXPECT_DOUBLE_EQ(limit({lifted}), 1.4 * 6.0);
-    EXPECT_DOUBLE_EQ(limit({lifted}, {ramp(9.0, 9.0)}), 1.05 * 9.0);
+    const sil::TyreLimit limit = tyre_limit({lifted}, {});
+    EXPECT_FALSE(limit.is_shown);
+    EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.1 * sil::g_mps2);
+    // One inner wheel that carries little lifts early, far below what the tyres give.
+    sil::PreparedDrive early = ramp(4.0, of_good_tyres);
+    early.cut_by_load_transfer = true;
+    EXPECT_DOUBLE_EQ(tyre_limit({early}, {}).largest_mps2, 1.1 * sil::g_mps2);
 }
 
-TEST_F(TyreLimit, IsReachedByARampThatAsksForMoreThanComes) {
-    EXPECT_DOUBLE_EQ(limit({ramp(6.0, 1.31 * 6.0)}), 1.05 * 6.0);
-    EXPECT_DOUBLE_EQ(limit({ramp(6.0, -1.31 * 6.0)}, {ramp(7.0, 0.0)}), 1.05 * 7.0);
-}
-
-TEST_F(TyreLimit, IsNotShownByADemandNearTheCriticalSpeed) {
-    steering_.understeer_gradient_s2pm.value = -0.6 * vehicle_.wheelbase_m / 400.0;
-    EXPECT_DOUBLE_EQ(limit({ramp(6.0, 6.0)}), 1.1 * sil::g_mps2);
-    steering_.understeer_gradient_s2pm.value = -2.0 * vehicle_.wheelbase_m / 400.0;
-    EXPECT_DOUBLE_EQ(limit({ramp(6.0, 0.1)}), 1.1 * sil::g_mps2);
-}
-
-TEST_F(TyreLimit, IsADryRoadsWhereNoRampShowsIt) {
-    EXPECT_DOUBLE_EQ(limit({ramp(6.0, 1.29 * 6.0)}), 1.1 * sil::g_mps2);
-    EXPECT_DOUBLE_EQ(limit({ramp(10.5, 10.5)}), 1.05 * 10.5);
-    EXPECT_DOUBLE_EQ(sil::tyre_limit(vehicle_, nullptr, {ramp(6.0, 12.0)}, {}).largest_mps2,
-                     1.1 * sil::g_mps2);
+TEST(TyreLimit, IsOpenWithoutSteering) {
+    sil::PreparedDrive unknown = ramp(20.0, of_brush_tyres);
+    unknown.has_steering = false;
+    EXPECT_FALSE(tyre_limit({unknown}, {}).is_shown);
+    EXPECT_DOUBLE_EQ(tyre_limit({unknown}, {}).largest_mps2, 1.1 * sil::g_mps2);
 }
 
 }  // namespace
