@@ -47,6 +47,7 @@ std::string implausible(const VehicleParameters& v, const VehicleClass& from) {
     const VehicleProperties with_load = properties(loaded(v, from.load));
     // Below 0.4 g the tests that manoeuvres take their handwheel angles from cannot be driven, laden neither.
     constexpr double lowest_threshold_g = 0.42;
+    constexpr double lowest_grip_g = 0.57;  // 0.4 g with 0.7 of the friction, the least that campaigns draw
     for (const std::string& reason :
          {outside("static stability factor", p.static_stability_factor,
                   from.static_stability_factor.lowest - 1e-9, from.static_stability_factor.highest + 1e-9),
@@ -60,6 +61,7 @@ std::string implausible(const VehicleParameters& v, const VehicleClass& from) {
           outside("roll gradient in deg/g, laden", with_load.roll_gradient_degpg, 0.8, 22.0),
           outside("rollover threshold in g", p.threshold_g, lowest_threshold_g, 2.0),
           outside("rollover threshold in g, laden", with_load.threshold_g, lowest_threshold_g, 2.0),
+          outside("grip in g", p.grip, lowest_grip_g, 2.0),
           outside("understeer gradient in s2/m", p.understeer_gradient_s2pm,
                   from.understeer_gradient_s2pm.lowest, from.understeer_gradient_s2pm.highest),
           outside("rear pivot in m", v.rear_suspension.panhard_pivot_m, -0.5, 0.5)}) {
