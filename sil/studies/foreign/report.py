@@ -32,7 +32,7 @@ widened until they [contain](#beside-the-population) them. The firmware is measu
 How they are calibrated and driven:
 
 - **Calibration**: by `rsi-sil identify` alone, from the data sheet, a slowly increasing steer at {ramp_speed:.0f} km/h that
-  the driver stops at |LTR| {ramp_stop}, and a calm lane change, with ideal sensors.{inertia_given}
+  the driver stops at |LTR| {ramp_stop}, and a calm lane change, with ideal sensors.{inertia_assumed}
 - **Drives**: {kinds}, open loop, {slowest:.0f} to {fastest:.0f} km/h, with {least} to {most} times
   the handwheel angle of 0.3 g; every fourth round {gentle_least} to {gentle_most} times. A drive ends soon after a lift-off.
 - **Errors**: sensor noise ({noise}), and for each vehicle
@@ -198,10 +198,10 @@ def _refused(results):
     return f" Vehicles left out, because the component does not admit their calibration: {', '.join(named)}." if named else ""
 
 
-def _inertia_given(results):
-    classes = [result.kind for result in results if result.inertia_given]
+def _inertia_assumed(results):
+    classes = [result.kind for result in results if result.inertia_assumed]
     named = ", ".join(f"{classes.count(kind)} of {kind}" for kind in dict.fromkeys(classes))
-    return f"\n  Given the roll inertia of their data sheet, too, since no plausible one fits: {named}." if named else ""
+    return f"\n  With a roll inertia by its rule of thumb, since no plausible one fits: {named}." if named else ""
 
 
 def page(results, seed):
@@ -210,7 +210,7 @@ def page(results, seed):
     counts = {family: sum(result.family == family for result in results) for family in families.FAMILIES}
     counted = "vehicles" if min(counts.values()) >= judge.fewest_vehicles() else "runs"
     return HEAD.format(
-        **counts, inertia_given=_inertia_given(results), seed=seed, ramp_speed=manoeuvres.RAMP_SPEED_KMH,
+        **counts, inertia_assumed=_inertia_assumed(results), seed=seed, ramp_speed=manoeuvres.RAMP_SPEED_KMH,
         ramp_stop=manoeuvres.RAMP_STOP, kinds=", ".join(manoeuvres.KINDS), slowest=manoeuvres.SPEEDS_KMH[0],
         fastest=manoeuvres.SPEEDS_KMH[1], least=manoeuvres.AMPLITUDES[0], most=manoeuvres.AMPLITUDES[1],
         gentle_least=manoeuvres.GENTLE_AMPLITUDES[0], gentle_most=manoeuvres.GENTLE_AMPLITUDES[1],

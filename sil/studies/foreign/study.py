@@ -49,8 +49,11 @@ class Result(typing.NamedTuple):
     largest_lateral_acceleration_mps2: float
     quantities: dict  # quantities.of_vehicle
     data_sheet: dict  # quantities.of_data_sheet
-    inertia_given: bool  # identify refused what it fitted, and was given the roll inertia of the data sheet
+    inertia_assumed: bool  # no body has the roll inertia that the drives give; identify took its rule of thumb
     outcomes: dict
+
+
+ASSUMED_INERTIA = "# rule of thumb: the drives alone would give"  # behind a roll inertia that identify wrote
 
 
 class Refused(Exception):
@@ -88,11 +91,10 @@ def write_drives(vehicle, seed, rounds, folder):
     return ramp, largest
 
 
-def identify(program, folder, *further):
-    """The calibration of the vehicle whose drives are in `folder`, from its ramp and lane change."""
+def identify(program, folder):
+    """Calibrates the vehicle whose drives are in `folder`, from its ramp and lane change, into `folder`/calibration."""
     run(program, "identify", "--vehicle-data", folder / "vehicle.toml", "--ramp", folder / "ramp.csv", "--dynamic",
-        folder / "lane_change.csv", "--output", folder / "calibration", "--no-pictures", *further)
-    return tomllib.loads(file_io.read(folder / "calibration/calibration.toml"))
+        folder / "lane_change.csv", "--output", folder / "calibration", "--no-pictures")
 
 
 def replay(program, calibration, settings, files, wanted="table.csv"):
@@ -130,19 +132,14 @@ def of_vehicle(program, output, seed, rounds, family_and_number):
     vehicle = families.FAMILIES[family].draw(seed, number)
     folder = output / vehicle.name
     ramp, largest = write_drives(vehicle, seed, rounds, folder)
-    inertia_given = False
-    try:
-        calibration = identify(program, folder)
-    except Refused as error:
-        if "roll_inertia_kgm2" not in str(error):
-            raise
-        inertia_given = True
-        calibration = identify(program, folder, "--set", f"roll_inertia_kgm2={vehicle.roll_inertia_kgm2():.9g}")
+    identify(program, folder)
+    written = file_io.read(folder / "calibration/calibration.toml")
+    calibration = tomllib.loads(written)
     replayed_ramp = replay(program, folder / "calibration/calibration.toml", {}, [folder / "ramp.csv"], "ramp/indices.csv")
     outcomes = judged(program, vehicle, folder, ways.changes(calibration, seed, vehicle.name))
     return Result(vehicle.name, family, vehicle.kind, calibration[ways.TYRE_LIMIT], largest,
                   quantities.of_vehicle(vehicle, ramp, replayed_ramp, calibration), quantities.of_data_sheet(vehicle, calibration),
-                  inertia_given, outcomes)
+                  ASSUMED_INERTIA in written, outcomes)
 
 
 def main(arguments):

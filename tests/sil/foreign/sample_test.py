@@ -13,7 +13,6 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import unittest.mock
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(PROJECT / "sil/studies/foreign")]
@@ -37,6 +36,7 @@ LIFTED = [True, True, True, True, True, False, True, False]
 WARNED = {ways.CLEAN: (6, 6, 6), ways.ERRORS: (6, 6, 5)}
 ALARMS = [(0, 1), (0, 0), (0, 0), (1, 1)]
 JOINTED = 10  # on swing arms
+JOINTED_WITHOUT_INERTIA = 7  # a frame that twists
 JOINTED_LIFTED = [False, True, True, True]
 JOINTED_WARNED = {ways.CLEAN: (3, 3, 2), ways.ERRORS: (3, 2, 2)}
 JOINTED_ALARMS = [(0, 0), (0, 1), (0, 0), (0, 0)]
@@ -409,24 +409,14 @@ class Sample(unittest.TestCase):
         self.assertAlmostEqual(found["understeer gradient"], 1e3 * vehicle.drawn["understeer_s2pm"], delta=1.0)
         self.assertTrue(0.05 < found["its lag"] < 0.9)
 
-    def test_a_vehicle_whose_roll_inertia_is_refused_is_given_that_of_its_data_sheet(self):
-        commands = []
-
-        def refuses_the_first(*command):
-            commands.append(command)
-            if command[1] == "identify" and len(commands) == 1:
-                raise study.Refused('"roll_inertia_kgm2" is below its range')
-            run(*command)
-
-        run = study.run
-        with unittest.mock.patch.object(study, "run", refuses_the_first), tempfile.TemporaryDirectory() as scratch:
-            result = study.of_vehicle(PROGRAM, pathlib.Path(scratch), SEED, 1, ("jointed", JOINTED))
-            text = pathlib.Path(scratch, "j10/calibration/calibration.toml").read_text(encoding="utf-8")
-        found = study.tomllib.loads(text)["roll_inertia_kgm2"]
-        self.assertTrue(result.inertia_given)
-        self.assertFalse(self.jointed.inertia_given)
-        self.assertAlmostEqual(found / jointed.draw(SEED, JOINTED).roll_inertia_kgm2(), 1.0, delta=0.1)
-        self.assertIn("since no plausible one fits: 1 of swing arms.", report.page([*self.results, result], SEED))
+    def test_a_roll_inertia_by_the_rule_of_thumb_is_counted(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            study.write_drives(jointed.draw(SEED, JOINTED_WITHOUT_INERTIA), SEED, 0, pathlib.Path(scratch))
+            study.identify(PROGRAM, pathlib.Path(scratch))
+            self.assertIn(study.ASSUMED_INERTIA, pathlib.Path(scratch, "calibration/calibration.toml").read_text(encoding="utf-8"))
+        self.assertFalse(self.jointed.inertia_assumed)
+        assumed = self.jointed._replace(inertia_assumed=True)
+        self.assertIn("since no plausible one fits: 1 of swing arms.", report.page([*self.results, assumed], SEED))
 
     def test_the_population_s_page_has_the_quantities(self):
         names = {name for name, _ in quantities.NAMES} - {quantities.TRUE_OVER_COMPUTED}
