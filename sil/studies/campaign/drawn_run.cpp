@@ -89,7 +89,8 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
         run.options.steering_factor = 1.0;
     }
     // The rate is that of the hands, which the factor on the angle must not change.
-    if (draw.handwheel_rate_degps > 0.0 && manoeuvre.make_driver_at_rate) {
+    if (draw.handwheel_rate_degps > 0.0 && manoeuvre.make_driver_at_rate &&
+        run.options.steering_factor > 0.0) {
         run.manoeuvre.make_driver =
             at_rate(manoeuvre.make_driver_at_rate,
                     from_degrees(draw.handwheel_rate_degps) / run.options.steering_factor);

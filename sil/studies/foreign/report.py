@@ -14,8 +14,9 @@ HEAD = """<!-- Written by sil/studies/foreign/run --document; do not edit. -->
 # Vehicles of others' equations, and of another engine
 
 The [population](population.md) is one model with other numbers, and that model is this project's own. Two other families
-are here, drawn with seed {seed}. Nothing in firmware or identification was chosen on them; the population's ranges were
-widened until they [contain](#beside-the-population) them. The firmware is measured as it is.
+are here, drawn with seed {seed}. No constant of the firmware was chosen on them. They showed
+where `identify` failed, and the population's ranges were widened towards them; [what is outside](#beside-the-population) is
+counted.
 
 - **commonroad** ({commonroad} vehicles): other equations, which this project did not write: the multi-body model of the
   package commonroad-vehicle-models (29 states; tyres, springs and compliant joints after the vehicle dynamics of the US
@@ -201,7 +202,7 @@ def _refused(results):
 def _inertia_assumed(results):
     classes = [result.kind for result in results if result.inertia_assumed]
     named = ", ".join(f"{classes.count(kind)} of {kind}" for kind in dict.fromkeys(classes))
-    return f"\n  With a roll inertia by its rule of thumb, since no plausible one fits: {named}." if named else ""
+    return f"\n  With the rule of thumb's roll inertia, since the drives give none that a body can have: {named}." if named else ""
 
 
 def page(results, seed):

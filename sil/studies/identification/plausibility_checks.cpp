@@ -147,8 +147,7 @@ class Warnings {
         if (refused) {
             warn(
                 "the drives alone would give an Ixx of {:.0f} kg m2, which no body has: {:.0f} kg m2 is "
-                "taken, "
-                "{}, and stiffness and damping are fitted with it. Something else follows the roll "
+                "taken, {}, and stiffness and damping are fitted with it. Something else follows the roll "
                 "acceleration: check masses, CG height and imu_z_m (negative when the IMU is below the "
                 "sprung CG{}); a frame that twists and a roll angle of another place than the IMU's do that, "
                 "too",
@@ -202,11 +201,10 @@ class Warnings {
                 result_.roll_centre_height_m, rigid_axle_m(),
                 100.0 * (1.0 / ratio_at_computed_lift(rigid_axle_m()) - 1.0));
         }
-        if (!result_.loads) {
-            about_unchecked_heights();
-        }
         if (result_.loads) {
             about_loads(*result_.loads);
+        } else {
+            about_unchecked_heights();
         }
     }
 
@@ -225,7 +223,8 @@ class Warnings {
         warn(
             "without wheel loads nothing checks these heights: the sprung CG's, {:.3f} m of the vehicle "
             "data, "
-            "and the roll centre's, {:.2f} m, which suspensions have between 0 and {:.2f} m. If the CG lies "
+            "and the roll centre's, {:.2f} m (0 to {:.2f} m with most suspensions, up to 0.9 m in trucks and "
+            "buses). If the CG lies "
             "{:.3f} m higher ({:.0f} %), there is {:.0f} % more load transfer than the component sees, and "
             "warnings come late; if it lies as much lower, early",
             vehicle.sprung_cg_height_m, result_.roll_centre_height_m, rigid_axle_m(), higher_m,

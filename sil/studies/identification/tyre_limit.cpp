@@ -15,12 +15,13 @@ constexpr double dry_road_mps2 = 1.1 * g_mps2;
 constexpr double open_share = 1.4;
 constexpr double reserve = 1.05;
 // The force has stopped growing if, while what is asked for grows by a quarter, it grows less than a quarter
-// as fast as in the ramp's lower half. A brush tyre then gives 91 % of its largest force at 80 km/h, and 95 %
-// at 60, where the path takes a greater part of the steering angle; with the reserve that is within 5 %.
+// as fast as in the ramp's lower half. A brush tyre then gives nine tenths of its largest force, and more.
 constexpr double last_part = 0.8;
 constexpr double lower_half = 0.5;
 constexpr double stopped_slope_share = 0.25;
 constexpr std::size_t fewest_answers = 20U;
+// Share of the ramp's largest: a driver who drifts to the other side before he turns shows no limit there.
+constexpr double least_reached_share = 0.9;
 
 double largest(const std::vector<PreparedDrive>& drives) {
     double result = 0.0;
@@ -75,11 +76,14 @@ double slope(const std::vector<Answer>& answers, const Wanted& wanted) {
                                                                            : (count * xy - x * y) / variation;
 }
 
-bool stops_growing(const std::vector<Answer>& answers) {
+bool stops_growing(const std::vector<Answer>& answers, double ramp_largest_mps2) {
     double most = 0.0, most_mps2 = 0.0;
     for (const Answer& answer : answers) {
         most = std::max(most, answer.asked);
         most_mps2 = std::max(most_mps2, answer.came_mps2);
+    }
+    if (most_mps2 < least_reached_share * ramp_largest_mps2) {
+        return false;
     }
     const auto half = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
         return answer.came_mps2 > lower_half * most_mps2;
@@ -92,7 +96,8 @@ bool stops_growing(const std::vector<Answer>& answers) {
 }
 
 bool shows_the_limit(const PreparedDrive& ramp) {
-    return ramp.has_steering && (stops_growing(way_out(ramp, 1.0)) || stops_growing(way_out(ramp, -1.0)));
+    return ramp.has_steering && (stops_growing(way_out(ramp, 1.0), ramp.largest_parallel_mps2) ||
+                                 stops_growing(way_out(ramp, -1.0), ramp.largest_parallel_mps2));
 }
 
 }  // namespace
@@ -105,11 +110,14 @@ TyreLimit tyre_limit(const VehicleData& vehicle, const std::vector<PreparedDrive
     if (!lifted && std::any_of(ramps.begin(), ramps.end(), shows_the_limit)) {
         return {seen, true, "5 % above the largest seen: the force grew no more while the steering did"};
     }
-    const double open = std::max(open_share * largest(ramps), seen);
+    const double of_ramps = open_share * largest(ramps);
+    const double open = std::max(of_ramps, seen);
     // A body that leans lifts its wheels below this.
     const double lift_mps2 = static_stability_factor(vehicle) * g_mps2;
     if (open > std::max(dry_road_mps2, lift_mps2)) {
-        return {open, false, "open: 1.4 times the ramp's largest, which shows no limit"};
+        return {open, false,
+                seen > of_ramps ? "open: 5 % above the largest seen; the ramp shows no limit"
+                                : "open: 1.4 times the ramp's largest, which shows no limit"};
     }
     return {std::max(dry_road_mps2, lift_mps2), false,
             lift_mps2 > dry_road_mps2 ? "open: the static rollover threshold; the ramp shows no limit"

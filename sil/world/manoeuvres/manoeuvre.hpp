@@ -65,7 +65,8 @@ struct Manoeuvre {
     double start_sideways_share{0.0};
     MakeRoad make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
-    // The same driver with hands of another speed, in rad/s at the handwheel; empty: no ramp that has one.
+    // The same driver with hands of another speed, in rad/s at the handwheel; empty: the manoeuvre has no
+    // ramp of one rate.
     std::function<std::unique_ptr<Driver>(const VehicleParameters&, double handwheel_radps)>
         make_driver_at_rate{};
     // Whether make_driver asks for handwheel_angle_at_0_3_g_rad(), so that who drives many may find it ahead.

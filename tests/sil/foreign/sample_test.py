@@ -416,7 +416,7 @@ class Sample(unittest.TestCase):
             self.assertIn(study.ASSUMED_INERTIA, pathlib.Path(scratch, "calibration/calibration.toml").read_text(encoding="utf-8"))
         self.assertFalse(self.jointed.inertia_assumed)
         assumed = self.jointed._replace(inertia_assumed=True)
-        self.assertIn("since no plausible one fits: 1 of swing arms.", report.page([*self.results, assumed], SEED))
+        self.assertIn("that a body can have: 1 of swing arms.", report.page([*self.results, assumed], SEED))
 
     def test_the_population_s_page_has_the_quantities(self):
         names = {name for name, _ in quantities.NAMES} - {quantities.TRUE_OVER_COMPUTED}

@@ -205,6 +205,11 @@ TEST(TyreLimit, LiesAboveADynamicDriveThatReachesMore) {
     const sil::PreparedDrive dynamic = ramp(8.0, of_good_tyres);
     const sil::TyreLimit limit = tyre_limit({ramp(20.0, of_brush_tyres)}, {dynamic});
     EXPECT_DOUBLE_EQ(limit.largest_mps2, 1.05 * dynamic.largest_parallel_mps2);
+    sil::PreparedDrive fast = dynamic;
+    fast.largest_parallel_mps2 = 12.0;
+    const sil::TyreLimit open = tyre_limit({ramp(6.0, of_good_tyres)}, {fast});
+    EXPECT_DOUBLE_EQ(open.largest_mps2, 1.05 * 12.0);
+    EXPECT_THAT(open.origin, HasSubstr("open: 5 % above the largest seen"));
 }
 
 TEST(TyreLimit, IsOpenWhereTheDriverStopped) {
@@ -234,6 +239,18 @@ TEST(TyreLimit, IsOpenWhereTheSteeringAsksForHalfAsMuchAgain) {
     EXPECT_FALSE(limit.is_shown);
     EXPECT_GE(limit.largest_mps2, 1.4 * understeering.largest_parallel_mps2);
     EXPECT_THAT(limit.origin, HasSubstr("open"));
+}
+
+// A turn in miniature to the other side, where the force stops growing, as that of a drift among noise may.
+TEST(TyreLimit, IsNotShownByADriftBeforeTheRamp) {
+    sil::PreparedDrive drive = ramp(6.0, of_good_tyres);
+    sil::PreparedDrive drift = ramp(20.0, of_brush_tyres);
+    for (sil::RollSample& sample : drift.samples) {
+        sample.parallel_mps2 *= -0.02;
+        sample.steering_wheel_angle_rad *= -0.02;
+    }
+    drive.samples.insert(drive.samples.begin(), drift.samples.begin(), drift.samples.end());
+    EXPECT_FALSE(tyre_limit({drive}, {}).is_shown);
 }
 
 // Half of the grip is used.

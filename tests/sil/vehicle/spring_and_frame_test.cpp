@@ -1,5 +1,4 @@
-// Springs and frame: dry friction, progression and a frame that twists do what they do in a vehicle that is
-// tilted.
+// Dry friction, progression and a frame that twists, seen from a tilt table and from the spring's force.
 #include <gtest/gtest.h>
 
 #include <cmath>
