@@ -2,19 +2,18 @@
 
 import argparse
 import pathlib
-import subprocess
 import sys
 import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "cmake/environment"))
+sys.path[:0] = [str(HERE.parents[1] / folder) for folder in ("cmake/environment", "sil/results")]
 
 import a2l_objects
 import file_io
+import picture
 from log_error import LogError
 
-PICTURES = HERE.parents[1] / "sil/results"
 A2L = HERE.parents[1] / "build/release/sil/rsi-ecu.a2l"
 CYCLE_S = 0.01
 
@@ -87,11 +86,7 @@ def write_png(path, times, columns, objects):
     with tempfile.TemporaryDirectory() as folder:
         data = pathlib.Path(folder) / "measured.csv"
         write_csv(data, times, columns, objects)
-        words |= {"scripts": str(PICTURES), "measured": str(data)}
-        assignments = "; ".join([f"{name} = '{text.replace(chr(39), 2 * chr(39))}'" for name, text in words.items()] +
-                                [f"panels = {len(columns)}"])
-        drawn = subprocess.run(["bash", "-c", 'source "$0/draw_picture"; draw_picture "$1" "$2" "$3"', PICTURES, path,
-                                HERE / "measurement.gp", assignments], stderr=subprocess.PIPE, text=True, check=False)
+        drawn = picture.draw(path, HERE / "measurement.gp", words | {"measured": str(data), "panels": len(columns)})
     if drawn.returncode != 0:
         raise LogError(f"{path} was not drawn; is gnuplot installed? {drawn.stderr.strip()}")
 

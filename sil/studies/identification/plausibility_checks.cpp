@@ -222,11 +222,9 @@ class Warnings {
         const double more = vehicle.sprung_mass_kg * higher_m * (parallel_mps2 + lean_mps2) / whole_nm;
         warn(
             "without wheel loads nothing checks these heights: the sprung CG's, {:.3f} m of the vehicle "
-            "data, "
-            "and the roll centre's, {:.2f} m (0 to {:.2f} m with most suspensions, up to 0.9 m in trucks and "
-            "buses). If the CG lies "
-            "{:.3f} m higher ({:.0f} %), there is {:.0f} % more load transfer than the component sees, and "
-            "warnings come late; if it lies as much lower, early",
+            "data, and the roll centre's, {:.2f} m (0 to {:.2f} m with most suspensions, up to 0.9 m in "
+            "trucks and buses). If the CG lies {:.3f} m higher ({:.0f} %), there is {:.0f} % more load "
+            "transfer than the component sees, and warnings come late; if it lies as much lower, early",
             vehicle.sprung_cg_height_m, result_.roll_centre_height_m, rigid_axle_m(), higher_m,
             100.0 * unseen_share, 100.0 * more);
     }

@@ -177,8 +177,8 @@ struct CurveFit {
         return rises_up_to(fit, beyond_rollover * rollover_angle_rad(vehicle, fit));
     }
 
-    RollFit shaped(CurveShape curve, double largest_share) const {
-        RollFit fit = solve(curve);
+    // `fit` is the solution with `curve`.
+    RollFit shaped(RollFit fit, CurveShape curve, double largest_share) const {
         bool flattened = false, held = false, limited = false;
         for (int pass = 0; pass < 30; ++pass) {
             curve.limit_rad = furthest_rad(fit, largest_share);
@@ -204,13 +204,12 @@ struct CurveFit {
     }
 
     // As straight beyond the data as the curve within them allows. A falling quintic term lets a curve that
-    // rises within the data go on straight.
-    RollFit straightened(const RollFit& fit, CurveShape curve) const {
-        curve.quintic = true;
+    // rises within the data go on straight: `free` is the solution with `curve`, which has one.
+    RollFit straightened(const RollFit& fit, const RollFit& free, const CurveShape& curve) const {
         for (const double share : straight_slope_shares) {
             RollFit straighter = fit;
             if (!goes_on_straight(fit, share)) {
-                straighter = shaped(curve, share);
+                straighter = shaped(free, curve, share);
                 straighter.curve_held = fit.curve_held;
             }
             if (rises(straighter) && goes_on_straight(straighter, share) && limits.admit(straighter) &&
@@ -269,16 +268,19 @@ RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vect
     CurveShape curve;
     curve.data_end_rad = largest_angle_rad(ramps, dynamics);
     const CurveFit curve_fit{vehicle, arm.used, limits, problem};
-    RollFit fit = curve_fit.solve(curve);
+    RollFit free = curve_fit.solve(curve);
     const double usual_kgm2 = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
     std::optional<double> refused_kgm2;
-    if (fit.inertia_kgm2.value < impossible_inertia_share * usual_kgm2) {
-        refused_kgm2 = fit.inertia_kgm2.value;
+    if (free.inertia_kgm2.value < impossible_inertia_share * usual_kgm2) {
+        refused_kgm2 = free.inertia_kgm2.value;
         problem.hold_inertia();
-        fit = curve_fit.solve(curve);
+        free = curve_fit.solve(curve);
     }
-    curve.quintic = fit.stiffness_quintic_nmprad5.value > 0.0;
-    fit = curve_fit.straightened(curve_fit.shaped(curve, largest_slope_beyond_data), curve);
+    CurveShape rising = curve;
+    rising.quintic = free.stiffness_quintic_nmprad5.value > 0.0;
+    RollFit fit =
+        curve_fit.shaped(rising.quintic ? free : curve_fit.solve(rising), rising, largest_slope_beyond_data);
+    fit = curve_fit.straightened(fit, free, curve);
     fit.refused_inertia_kgm2 = refused_kgm2;
     fit.needed_up_to_rad = beyond_lift * rollover_angle_rad(vehicle, fit);
     return fit;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sil/straight_line.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -19,7 +20,7 @@ constexpr double reserve = 1.05;
 constexpr double last_part = 0.8;
 constexpr double lower_half = 0.5;
 constexpr double stopped_slope_share = 0.25;
-constexpr std::size_t fewest_answers = 20U;
+constexpr double fewest_answers = 20.0;
 // Share of the ramp's largest: a driver who drifts to the other side before he turns shows no limit there.
 constexpr double least_reached_share = 0.9;
 
@@ -58,24 +59,6 @@ std::vector<Answer> way_out(const PreparedDrive& ramp, double side) {
     return {at(first), at(end)};
 }
 
-// Slope of came over asked by least squares; zero where there are too few samples.
-template <typename Wanted>
-double slope(const std::vector<Answer>& answers, const Wanted& wanted) {
-    double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const Answer& answer : answers) {
-        if (wanted(answer)) {
-            count += 1.0;
-            x += answer.asked;
-            y += answer.came_mps2;
-            xx += answer.asked * answer.asked;
-            xy += answer.asked * answer.came_mps2;
-        }
-    }
-    const double variation = count * xx - x * x;
-    return count < static_cast<double>(fewest_answers) || variation <= 0.0 ? 0.0
-                                                                           : (count * xy - x * y) / variation;
-}
-
 bool stops_growing(const std::vector<Answer>& answers, double ramp_largest_mps2) {
     double most = 0.0, most_mps2 = 0.0;
     for (const Answer& answer : answers) {
@@ -88,11 +71,16 @@ bool stops_growing(const std::vector<Answer>& answers, double ramp_largest_mps2)
     const auto half = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
         return answer.came_mps2 > lower_half * most_mps2;
     });
-    const double first = slope({answers.begin(), half}, [](const Answer&) { return true; });
-    const auto is_last = [&](const Answer& answer) { return answer.asked > last_part * most; };
-    const auto last_count = static_cast<std::size_t>(std::count_if(answers.begin(), answers.end(), is_last));
-    return first > 0.0 && last_count >= fewest_answers &&
-           slope(answers, is_last) < stopped_slope_share * first;
+    StraightLine first, last;
+    std::for_each(answers.begin(), half,
+                  [&first](const Answer& answer) { first.add(answer.asked, answer.came_mps2); });
+    for (const Answer& answer : answers) {
+        if (answer.asked > last_part * most) {
+            last.add(answer.asked, answer.came_mps2);
+        }
+    }
+    return std::min(first.count(), last.count()) >= fewest_answers && first.slope() > 0.0 &&
+           last.slope() < stopped_slope_share * first.slope();
 }
 
 bool shows_the_limit(const PreparedDrive& ramp) {

@@ -52,7 +52,7 @@ BodyRoll body_roll(const VehicleParameters& v, double tipping_nm) {
     const double rear = rear_roll_stiffness_nmprad(v);
     const double torsion = v.rear_suspension.frame_torsion_nmprad;
     const double share = v.rear_suspension.frame_rear_share;
-    if (!(torsion > 0.0) || !(share > 0.0)) {
+    if (!v.rear_suspension.frame_twists()) {
         const double roll = tipping_nm / (front + rear - tipping_nm);
         return {roll, roll};
     }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sil/straight_line.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/vehicle/vehicle_batch.hpp"
@@ -24,29 +25,6 @@ constexpr double coarse_step_s = 0.002;  // twice the nominal one moves the angl
 constexpr double fit_from_mps2 = 0.1 * gravity_mps2;
 constexpr double fit_to_mps2 = 0.375 * gravity_mps2;
 constexpr double read_at_mps2 = 0.3 * gravity_mps2;
-
-// Least squares for the line of handwheel angle over acceleration.
-class Line {
- public:
-    void add(double x, double y) {
-        count_ += 1.0;
-        x_ += x;
-        y_ += y;
-        xx_ += x * x;
-        xy_ += x * y;
-    }
-    double at(double x) const {
-        const double slope = (count_ * xy_ - x_ * y_) / (count_ * xx_ - x_ * x_);
-        return y_ / count_ + slope * (x - x_ / count_);
-    }
-
- private:
-    double count_{0.0};
-    double x_{0.0};
-    double y_{0.0};
-    double xx_{0.0};
-    double xy_{0.0};
-};
 
 Manoeuvre steer_from(double start_s) {
     Manoeuvre manoeuvre;
@@ -90,7 +68,7 @@ class AngleSearch {
 
     double direction_;
     ManoeuvreRun run_;
-    Line line_{};
+    StraightLine line_{};  // of the handwheel angle over the acceleration
     std::optional<double> angle_rad_{};
 };
 

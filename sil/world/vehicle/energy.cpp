@@ -40,7 +40,7 @@ double Vehicle::mechanical_energy_j() const {
     const double bent = q[3] - twist;
     energy += 0.5 * parameters_.rear_suspension.anti_roll_bar_nmprad * bent * bent;
     const RearSuspensionParameters& rear = parameters_.rear_suspension;
-    if (rear.frame_torsion_nmprad > 0.0 && rear.frame_rear_share > 0.0) {
+    if (rear.frame_twists()) {
         const double turning = model_.state.frame_twist_radps;
         const double part_kg = rear.frame_rear_share * parameters_.mass.sprung_kg;
         add_mass(-part_kg, model_.rear_part_position(0.0), Vector3::Zero());

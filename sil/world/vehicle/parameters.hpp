@@ -80,6 +80,8 @@ struct BasicRearSuspensionParameters {
     Real frame_torsion_nmprad{};  // of the frame between the front and the rear part; 0: rigid
     Real frame_damping_nmsprad{};
     Real frame_rear_share{};  // of sprung mass and roll inertia, in the rear part
+
+    auto frame_twists() const { return frame_torsion_nmprad > 0.0 && frame_rear_share > 0.0; }
 };
 using RearSuspensionParameters = BasicRearSuspensionParameters<double>;
 

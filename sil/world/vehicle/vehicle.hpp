@@ -2,8 +2,8 @@
 //
 // 14 degrees of freedom: body 6 (quaternion, valid at any angle), front left and right jounce, rear axle
 // heave and roll, four wheel spins; and, where the frame twists, the roll of the rear part of the body.
-// Integration is semi-implicit Euler: velocities first, positions with the
-// new velocities; meant for steps of 1 ms.
+// Integration is semi-implicit Euler: velocities first, positions with the new velocities; meant for steps of
+// 1 ms.
 #pragma once
 
 #include "sil/world/vehicle/driver_input.hpp"

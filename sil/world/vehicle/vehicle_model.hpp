@@ -430,7 +430,7 @@ template <typename Real>
 void VehicleModel<Real>::twist_frame(Real rear_moment_nm, EquationsOfMotion<Real>& equations) const {
     const BasicRearSuspensionParameters<Real>& rear = parameters.rear_suspension;
     const Real& share = rear.frame_rear_share;
-    const auto twists = rear.frame_torsion_nmprad > 0.0 && share > 0.0;
+    const auto twists = rear.frame_twists();
     if (!number::any(twists)) {
         return;
     }
