@@ -45,7 +45,7 @@ std::string outside(const char* what, double value, double lowest, double highes
 std::string implausible(const VehicleParameters& v, const VehicleClass& from) {
     const VehicleProperties p = properties(v);
     const VehicleProperties with_load = properties(loaded(v, from.load));
-    // Below 0.4 g the tests that manoeuvres take their handwheel angles from cannot be driven, laden neither.
+    // Manoeuvres take their handwheel angles from a ramp that must reach 0.3 g (slowly_increasing_steer.hpp).
     constexpr double lowest_threshold_g = 0.42;
     constexpr double lowest_grip_g = 0.57;  // 0.4 g with 0.7 of the friction, the least that campaigns draw
     for (const std::string& reason :

@@ -49,10 +49,16 @@ class AngleSearch {
     // After each step of the run.
     void see() {
         const double acceleration = direction_ * run_.truth().lateral_acceleration_mps2;
+        const double angle_rad = direction_ * run_.truth().steering_wheel_angle_rad;
+        if (acceleration > read_at_mps2 && !reached_rad_) {
+            reached_rad_ = angle_rad;
+        }
         if (acceleration > fit_to_mps2) {
             angle_rad_ = line_.at(read_at_mps2);
+        } else if (run_.finished()) {
+            angle_rad_ = reached_rad_;
         } else if (acceleration > fit_from_mps2) {
-            line_.add(acceleration, direction_ * run_.truth().steering_wheel_angle_rad);
+            line_.add(acceleration, angle_rad);
         }
     }
     bool finished() const { return angle_rad_ || run_.finished(); }
@@ -68,7 +74,8 @@ class AngleSearch {
 
     double direction_;
     ManoeuvreRun run_;
-    StraightLine line_{};  // of the handwheel angle over the acceleration
+    StraightLine line_{};                  // of the handwheel angle over the acceleration
+    std::optional<double> reached_rad_{};  // where the acceleration first passes that of the angle
     std::optional<double> angle_rad_{};
 };
 
@@ -115,7 +122,7 @@ double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters, bool mi
     }
     throw std::runtime_error(
         "The vehicle '" + parameters.name +
-        "' does not reach 0.375 g in a slowly increasing steer at 50 mph, so the manoeuvre's handwheel "
+        "' does not reach 0.3 g in a slowly increasing steer at 50 mph, so the manoeuvre's handwheel "
         "angle cannot be found. Look at its steering ratio and its tyres' friction.");
 }
 

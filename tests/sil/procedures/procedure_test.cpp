@@ -114,7 +114,7 @@ TEST(Procedures, ThatNeedTheAngleOfThreeTenthsSayThatAVehicleDoesNotReachThem) {
             sil::find_procedure(name).run(world);
             FAIL() << name << ": no error";
         } catch (const std::runtime_error& error) {
-            EXPECT_THAT(error.what(), HasSubstr("does not reach 0.375 g")) << name;
+            EXPECT_THAT(error.what(), HasSubstr("does not reach 0.3 g")) << name;
         }
     }
 }

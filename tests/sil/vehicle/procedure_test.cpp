@@ -87,6 +87,20 @@ TEST(SlowlyIncreasingSteer, OnIceThereIsNoAngleAndAnErrorSaysSo) {
     }
 }
 
+TEST(SlowlyIncreasingSteer, GivesAVehicleThatSlidesBeforeTheEndOfTheFitTheAngleAtWhichItReachesThreeTenths) {
+    const sil::VehicleParameters sliding = sil::with_friction(scenario::large_suv(), 0.42);
+    double reached_deg = 0.0, largest_mps2 = 0.0;
+    for (const sil::Truth& truth : truths(sliding, "slowly-increasing-steer")) {
+        largest_mps2 = std::max(largest_mps2, truth.lateral_acceleration_mps2);
+        if (reached_deg == 0.0 && truth.lateral_acceleration_mps2 > 0.3 * sil::gravity_mps2) {
+            reached_deg = handwheel_deg(truth);
+        }
+    }
+    ASSERT_GT(largest_mps2, 0.3 * sil::gravity_mps2);
+    ASSERT_LT(largest_mps2, 0.375 * sil::gravity_mps2);
+    EXPECT_NEAR(sil::handwheel_angle_at_0_3_g_rad(sliding) * degrees_per_radian, reached_deg, 1.0);
+}
+
 sil::VehicleParameters on_ice() {
     return sil::with_friction(scenario::large_suv(), 0.02);
 }
