@@ -133,12 +133,32 @@ TEST(WarningStateMachine, AHeldAdvisoryStillRisesToWarningAtOnce) {
     EXPECT_EQ(warning.after(1.0F), RSI_STATE_WARNING);
 }
 
-TEST(WarningStateMachine, TheHoldTimeCountsFromEnteringNotFromTheLastRisk) {
+TEST(WarningStateMachine, TheHoldTimeCountsFromTheLastSampleAtTheLevelOfTheState) {
+    rsi_parameters parameters = quick();
+    parameters.warning_hold_s = 0.5F;
+    parameters.advisory_hold_s = 0.3F;
+    Warning warning(parameters);
+    warning.after_samples(200, 1.1F);
+    warning.after_samples(40, 0.99F);
+    warning.after(1.0F);  // at the level itself: the first of 50 samples
+    EXPECT_EQ(warning.after_samples(49, 0.0F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
+
+    warning.after_samples(200, 0.85F);
+    warning.after_samples(20, 0.79F);
+    warning.after(0.8F);  // the first of 30
+    EXPECT_EQ(warning.after_samples(29, 0.0F), RSI_STATE_ADVISORY);
+    EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
+}
+
+// The hold of the warning is for what reached its level, not that of the advisory.
+TEST(WarningStateMachine, ALevelBetweenAdvisoryAndWarningDoesNotProlongAWarning) {
     rsi_parameters parameters = quick();
     parameters.warning_hold_s = 0.5F;
     Warning warning(parameters);
-    warning.after_samples(200, 1.1F);
-    EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
+    warning.after(1.0F);
+    EXPECT_EQ(warning.after_samples(49, 0.85F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.after(0.85F), RSI_STATE_ADVISORY);
 }
 
 TEST(WarningStateMachine, AWarningNeedsConfirmationWithoutInterruption) {
@@ -175,7 +195,7 @@ TEST(WarningStateMachine, WhileReadyNoSideIsNamed) {
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
 }
 
-TEST(WarningStateMachine, AHeldStateNamesASideOnlyWhileItsRiskLasts) {
+TEST(WarningStateMachine, AHeldStateKeepsItsSideUntilTheIndicatorPointsToTheOther) {
     for (const float cause : {0.85F, 1.0F}) {
         rsi_parameters parameters = quick();
         parameters.advisory_hold_s = 1.0F;
@@ -183,11 +203,13 @@ TEST(WarningStateMachine, AHeldStateNamesASideOnlyWhileItsRiskLasts) {
         Warning warning(parameters);
         const rsi_state state = warning.after(cause, 1.0F);
         ASSERT_GE(state, RSI_STATE_ADVISORY);
-        EXPECT_EQ(warning.after(0.7F, 1.0F), state);
-        EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
-        EXPECT_EQ(warning.after(0.699F, 1.0F), state);
-        EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+        for (const float level : {0.7F, 0.699F, 0.0F}) {
+            EXPECT_EQ(warning.after(level, 1.0F), state);
+            EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT) << level;
+        }
         EXPECT_EQ(warning.after(0.699F, -1.0F), state);
+        EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+        EXPECT_EQ(warning.after(0.699F, 1.0F), state);  // one that is gone comes back with its risk only
         EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
         EXPECT_EQ(warning.after(0.7F, -1.0F), state);
         EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
@@ -205,7 +227,7 @@ TEST(WarningStateMachine, ASideKeepsItsNameWhileItsOwnRiskLastsAndTheOtherIsNoHi
     EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
 }
 
-TEST(WarningStateMachine, AWarningNamesNoSideOnceBothRisksAreOver) {
+TEST(WarningStateMachine, AWarningNamesNoSideOnceBothRisksAreOverAndTheOtherIsTheLarger) {
     rsi_parameters parameters = quick();
     parameters.warning_hold_s = 1.0F;
     Warning warning(parameters);
@@ -222,7 +244,7 @@ TEST(WarningStateMachine, AHeldWarningWithoutASideNamesTheRiskierOneOnceBothAreB
     parameters.warning_hold_s = 1.0F;
     Warning warning(parameters);
     warning.after(1.0F, 1.0F);
-    warning.after(0.0F, 1.0F);
+    warning.after(0.0F, -1.0F);
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
     EXPECT_EQ(warning.after(0.75F, -1.0F, 0.72F), RSI_STATE_WARNING);
     EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);

@@ -30,7 +30,7 @@ WarningStateMachine::Constants::Constants(const Parameters& parameters)
 void WarningStateMachine::update_unavailable() {
     state_ = RSI_STATE_UNAVAILABLE;
     side_ = RSI_SIDE_NONE;
-    samples_in_state_ = 0U;
+    held_samples_ = 0U;
     samples_at_warning_level_ = 0U;
     good_samples_ = 0U;
 }
@@ -38,7 +38,7 @@ void WarningStateMachine::update_unavailable() {
 void WarningStateMachine::enter(rsi_state state) {
     if (state != state_) {
         state_ = state;
-        samples_in_state_ = 0U;
+        held_samples_ = 0U;
     }
 }
 
@@ -64,8 +64,20 @@ void WarningStateMachine::update(const Constants& constants, const RiskLevel& ri
     }
     count_confirmation(constants, risk);
     enter(next_state(constants, risk));
-    count_up(samples_in_state_);
+    count_hold(constants, risk);
     update_side(constants, risk);
+}
+
+// The hold time starts anew at each sample at the level of the state.
+void WarningStateMachine::count_hold(const Constants& constants, const RiskLevel& risk) {
+    if (risk.indicator >= level_of_state(constants)) {
+        held_samples_ = 0U;
+    }
+    count_up(held_samples_);
+}
+
+float WarningStateMachine::level_of_state(const Constants& constants) const {
+    return (state_ == RSI_STATE_WARNING) ? constants.warning_on : constants.advisory_on;
 }
 
 // Up at once (after confirmation), down only after the hold time and below the "off" level.
@@ -76,13 +88,13 @@ rsi_state WarningStateMachine::next_state(const Constants& constants, const Risk
     switch (state_) {
         case RSI_STATE_WARNING:
             if ((risk.indicator >= constants.warning_off) ||
-                (samples_in_state_ < constants.warning_hold_samples)) {
+                (held_samples_ < constants.warning_hold_samples)) {
                 return RSI_STATE_WARNING;
             }
             return (risk.indicator >= constants.advisory_off) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
         case RSI_STATE_ADVISORY:
             if ((risk.indicator >= constants.advisory_off) ||
-                (samples_in_state_ < constants.advisory_hold_samples)) {
+                (held_samples_ < constants.advisory_hold_samples)) {
                 return RSI_STATE_ADVISORY;
             }
             return RSI_STATE_READY;
@@ -95,17 +107,20 @@ void WarningStateMachine::update_side(const Constants& constants, const RiskLeve
     side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(constants, risk);
 }
 
-// The hold times keep a state visible, not a side. A side stays named while its own risk lasts and the
-// other's does not reach the level of the state; below the advisory level it gives way to the other above it.
+// A side stays named while its own risk lasts and the other's does not reach the level of the state; below
+// the advisory level it gives way to the other above it. Once neither is at risk, a held state keeps its side
+// as long as the indicator points there.
 rsi_side WarningStateMachine::next_side(const Constants& constants, const RiskLevel& risk) const {
-    const rsi_side riskier =
-        (risk.indicator >= constants.advisory_off) ? falling_side(risk.side) : RSI_SIDE_NONE;
+    const rsi_side riskier = falling_side(risk.side);
+    if (risk.indicator < constants.advisory_off) {
+        return (side_ == riskier) ? side_ : RSI_SIDE_NONE;
+    }
     if ((side_ == RSI_SIDE_NONE) || (risk.opposite < constants.advisory_off)) {
         return riskier;
     }
-    const float level = (state_ == RSI_STATE_WARNING) ? constants.warning_on : constants.advisory_on;
-    const bool takes_over = (risk.indicator >= level) || ((risk.indicator >= constants.advisory_on) &&
-                                                          (risk.opposite < constants.advisory_on));
+    const bool takes_over =
+        (risk.indicator >= level_of_state(constants)) ||
+        ((risk.indicator >= constants.advisory_on) && (risk.opposite < constants.advisory_on));
     return takes_over ? riskier : side_;
 }
 

@@ -43,6 +43,8 @@ class WarningStateMachine {
 
  private:
     void enter(rsi_state state);
+    void count_hold(const Constants& constants, const RiskLevel& risk);
+    float level_of_state(const Constants& constants) const;
     void count_confirmation(const Constants& constants, const RiskLevel& risk);
     rsi_state next_state(const Constants& constants, const RiskLevel& risk) const;
     void update_side(const Constants& constants, const RiskLevel& risk);
@@ -50,7 +52,7 @@ class WarningStateMachine {
 
     rsi_state state_{RSI_STATE_UNAVAILABLE};
     rsi_side side_{RSI_SIDE_NONE};
-    std::uint32_t samples_in_state_{};
+    std::uint32_t held_samples_{};  // since the last at the level of the state, that one included
     std::uint32_t samples_at_warning_level_{};
     std::uint32_t good_samples_{};
 };

@@ -1,7 +1,10 @@
 #include "sil/studies/campaign/drawn_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "rsi/model/critical_roll_angle.hpp"
+#include "rsi/model/vehicle_lengths.hpp"
 #include "sil/files/parameter_field.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/units.hpp"
@@ -23,16 +26,48 @@ float admitted(float rsi::Parameters::* member, float value) {
     return std::clamp(value, field.minimum, field.maximum);
 }
 
-// Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the
-// load changes is a part of the error and not on top of it. Unless the settings say that the load is unknown.
-rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& truth,
-                         const CampaignSpread& spread, const RunDraw& draw) {
-    const double mass_kg =
-        spread.load_is_known ? truth.mass.sprung_kg : static_cast<double>(calibration.sprung_mass_kg);
-    const double height_m = spread.load_is_known ? truth.geometry.cg_height_m
-                                                 : static_cast<double>(calibration.sprung_cg_height_m);
-    calibration.sprung_mass_kg = with_error(mass_kg, draw.mass_error);
-    calibration.sprung_cg_height_m = with_error(height_m, draw.cg_height_error);
+// A slow turn at the printed threshold, (23): from it `identify` writes the references of the rollover index.
+struct SlowTurn {
+    double angle_rad;
+    double acceleration_mps2;
+};
+
+SlowTurn at_threshold(const rsi::Parameters& calibration) {
+    const double angle_rad = static_cast<double>(rsi::critical_roll_angle_rad(calibration));
+    const double arm_m = static_cast<double>(rsi::roll_arm_m(calibration));
+    return {angle_rad,
+            g_mps2 * (0.5 * static_cast<double>(calibration.track_width_m) - arm_m * std::tan(angle_rad)) /
+                static_cast<double>(calibration.sprung_cg_height_m)};
+}
+
+// Whoever takes a wrong height or stiffness computes wrong references from it.
+void carry_into_references(rsi::Parameters& mistaken, const rsi::Parameters& calibration) {
+    const SlowTurn wrong = at_threshold(mistaken);
+    const SlowTurn right = at_threshold(calibration);
+    const auto scale = [&mistaken](float rsi::Parameters::* reference, double factor) {
+        if (std::isfinite(factor)) {
+            mistaken.*reference =
+                admitted(reference, static_cast<float>(static_cast<double>(mistaken.*reference) * factor));
+        }
+    };
+    scale(&rsi::Parameters::rollover_index_roll_angle_rad, wrong.angle_rad / right.angle_rad);
+    scale(&rsi::Parameters::rollover_index_acceleration_mps2,
+          wrong.acceleration_mps2 / right.acceleration_mps2);
+}
+
+// Mass and CG height are the calibration's, as the run's load and manoeuvre change those of the vehicle as
+// built, and wrong by the drawn shares: whatever the load changes is a part of the error and not on top of
+// it. Unless the settings say that the load is unknown.
+rsi::Parameters mistaken(const rsi::Parameters& given, const VehicleParameters& as_built,
+                         const VehicleParameters& truth, const CampaignSpread& spread, const RunDraw& draw) {
+    rsi::Parameters calibration = given;
+    const double mass_factor = spread.load_is_known ? truth.mass.sprung_kg / as_built.mass.sprung_kg : 1.0;
+    const double height_factor =
+        spread.load_is_known ? truth.geometry.cg_height_m / as_built.geometry.cg_height_m : 1.0;
+    calibration.sprung_mass_kg =
+        with_error(static_cast<double>(given.sprung_mass_kg) * mass_factor, draw.mass_error);
+    calibration.sprung_cg_height_m =
+        with_error(static_cast<double>(given.sprung_cg_height_m) * height_factor, draw.cg_height_error);
     // The whole curve of the roll stiffness by the same share, as far as the component admits it.
     for (float rsi::Parameters::* const coefficient :
          {&rsi::Parameters::roll_stiffness_nmprad, &rsi::Parameters::roll_stiffness_cubic_nmprad3,
@@ -44,6 +79,7 @@ rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& t
     // stiffness.
     calibration.roll_damping_nmsprad =
         std::max(calibration.roll_damping_nmsprad, least_damping_time_s * calibration.roll_stiffness_nmprad);
+    carry_into_references(calibration, given);
     return calibration;
 }
 
@@ -104,7 +140,7 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
     run.vehicle = with_load(run.vehicle, draw.load_share * run.vehicle.mass.sprung_kg,
                             draw.load_height_factor * run.vehicle.geometry.cg_height_m);
     run.vehicle = with_friction(run.vehicle, draw.friction_factor);
-    run.calibration = mistaken(calibration, run.vehicle, settings.spread, draw);
+    run.calibration = mistaken(calibration, vehicle, run.vehicle, settings.spread, draw);
     run.options.mirrored = draw.mirrored;
     run.options.road_seed = draw.sensor_seed;
     run.options.speed_factor = draw.speed_factor;

@@ -67,8 +67,8 @@ void put_draw(Cells& cells, const CampaignRow& row) {
     cells.number("load_share", no_unit, "drawn load over the sprung mass", draw.load_share);
     cells.number("load_height_factor", no_unit, "drawn height of the load over that of the sprung CG",
                  draw.load_height_factor);
-    cells.number("cg_height_error", no_unit, "the firmware gets the true CG height times 1 plus this",
-                 draw.cg_height_error);
+    cells.number("cg_height_error", no_unit,
+                 "the firmware gets the calibration's CG height times 1 plus this", draw.cg_height_error);
     cells.number("stiffness_error", no_unit, "the same for the roll stiffness", draw.stiffness_error);
     cells.number("mass_error", no_unit, "the same for the sprung mass", draw.mass_error);
     cells.number("mass_sensor_error", no_unit, "the same for the mass that is on the bus",

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int at_once_ms = 50;  // the frame itself shows that something is wrong
 constexpr int wrong_ms = 100;
-constexpr int warning_hold_ms = 2000;  // warning_hold_s of the calibration
+constexpr int warning_hold_ms = 1000;  // warning_hold_s of the calibration, from the last sample at its level
+constexpr int fading_ms = 50;          // until the filters of the prediction have lost a wrong value
 
 // From the end of the fault to the right statement, and to the last code's healing.
 struct Return {
@@ -186,7 +187,7 @@ Expectation expectation_of(const Fault& fault, SceneKind scene) {
 int longest_false_warning_ms(const Expectation& expectation) {
     return expectation.demand == Demand::unaffected || expectation.demand == Demand::right
                ? 0
-               : expectation.reaction_ms + warning_hold_ms;
+               : expectation.reaction_ms + fading_ms + warning_hold_ms;
 }
 
 const char* to_string(Demand demand) {

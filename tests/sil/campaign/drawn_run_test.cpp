@@ -48,6 +48,48 @@ TEST(DrawnRun, TheFirmwareIsToldTheTruthTimesOnePlusTheError) {
     }
 }
 
+// identify matches the height to the wheel loads: beyond the CG's where tyres give sideways.
+TEST(DrawnRun, ErrorsCountFromTheCalibrationWhichALoadChangesAsItChangesTheVehicle) {
+    const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    rsi::Parameters matched = sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));
+    matched.sprung_cg_height_m *= 1.08F;
+    matched.sprung_mass_kg *= 0.98F;
+    sil::RunDraw draw;
+    draw.cg_height_error = -0.05;
+    draw.load_height_factor = 1.5;
+    for (const double load_share : {0.0, 0.2}) {
+        draw.load_share = load_share;
+        const sil::DrawnRun run = sil::drawn_run(small_campaign(1U), draw, built, matched, sil::Manoeuvre{});
+        EXPECT_NEAR(static_cast<double>(run.calibration.sprung_cg_height_m / matched.sprung_cg_height_m),
+                    0.95 * run.vehicle.geometry.cg_height_m / built.geometry.cg_height_m, float_rounding);
+        EXPECT_NEAR(static_cast<double>(run.calibration.sprung_mass_kg / matched.sprung_mass_kg),
+                    run.vehicle.mass.sprung_kg / built.mass.sprung_kg, float_rounding);
+    }
+}
+
+// The paper's rollover index is not told the truth either: its references follow from height and stiffness.
+TEST(DrawnRun, WrongHeightAndStiffnessMakeWrongReferencesOfTheRolloverIndex) {
+    const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    const rsi::Parameters given = sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));
+    const auto with = [&](double height_error, double stiffness_error) {
+        sil::RunDraw draw;
+        draw.cg_height_error = height_error;
+        draw.stiffness_error = stiffness_error;
+        return sil::drawn_run(small_campaign(1U), draw, built, given, sil::Manoeuvre{}).calibration;
+    };
+    const rsi::Parameters exact = with(0.0, 0.0);
+    EXPECT_NEAR(exact.rollover_index_roll_angle_rad, given.rollover_index_roll_angle_rad, 1.0e-6F);
+    EXPECT_NEAR(exact.rollover_index_acceleration_mps2, given.rollover_index_acceleration_mps2, 1.0e-5F);
+    // A higher CG lifts the wheels at less acceleration, a stiffer body at less roll.
+    const float higher =
+        with(0.05, 0.0).rollover_index_acceleration_mps2 / exact.rollover_index_acceleration_mps2;
+    EXPECT_GT(higher, 0.93F);
+    EXPECT_LT(higher, 0.96F);
+    const float stiffer = with(0.0, 0.1).rollover_index_roll_angle_rad / exact.rollover_index_roll_angle_rad;
+    EXPECT_GT(stiffer, 0.85F);
+    EXPECT_LT(stiffer, 0.93F);
+}
+
 TEST(DrawnRun, TellsTheCodesThatItsSensorsSet) {
     sil::CampaignSettings settings = small_campaign(1U);
     settings.spread.accelerometer_bias_g = 0.0;
@@ -231,7 +273,9 @@ TEST(DrawnRun, AManoeuvresOwnChangeOfTheVehicleIsMadeOnceAndBeforeTheLoad) {
     };
     sil::RunDraw draw;
     draw.cg_height_error = 0.04;
-    const sil::DrawnRun run = sil::drawn_run(small_campaign(1U), draw, built, {}, manoeuvre);
+    const rsi::Parameters calibration =
+        sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));
+    const sil::DrawnRun run = sil::drawn_run(small_campaign(1U), draw, built, calibration, manoeuvre);
     EXPECT_NEAR(run.vehicle.geometry.cg_height_m, built.geometry.cg_height_m + 0.2, 1.0e-9);
     EXPECT_NEAR(static_cast<double>(run.calibration.sprung_cg_height_m),
                 1.04 * (built.geometry.cg_height_m + 0.2), float_rounding);

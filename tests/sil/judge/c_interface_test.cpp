@@ -114,14 +114,24 @@ TEST(JudgeInterface, HandsOnEveryParameter) {
     EXPECT_DOUBLE_EQ(lead_s(changed, 0.02), 0.0);
     changed = quick;
     changed.warning_hold_s = 0.04F;
-    EXPECT_DOUBLE_EQ(lead_s(changed, 0.04), 0.0) << "the side is named again";
-    changed.advisory_off = 0.9F;
-    EXPECT_TRUE(std::isnan(lead_s(changed, 0.04)));
+    EXPECT_DOUBLE_EQ(lead_s(changed, 0.04), 0.03);
     changed = quick;
     changed.warning_off = 0.5F;
-    changed.advisory_off = 0.5F;
     EXPECT_DOUBLE_EQ(lead_s(changed, 0.03), 0.02);
     EXPECT_TRUE(std::isnan(lead_s(quick, 0.03)));
+}
+
+// The other side is the riskier one, below the level of the state.
+TEST(JudgeInterface, HandsOnTheLevelBelowWhichASideGivesWay) {
+    const std::array<double, 3> times_s{0.0, 0.01, 0.02};
+    const std::array<double, 3> one{1.0, 0.91, 0.91};
+    const std::array<double, 3> other{0.0, 0.94, 0.94};
+    const judge_course course{3U, times_s.data(), one.data(), other.data()};
+    judge_calibration held = quick;
+    held.warning_hold_s = 1.0F;
+    EXPECT_DOUBLE_EQ(judge_index_lead_s(&held, &course, 1.0, 0.02, right), 0.02);
+    held.advisory_off = 0.83F;
+    EXPECT_TRUE(std::isnan(judge_index_lead_s(&held, &course, 1.0, 0.02, right)));
 }
 
 TEST(JudgeInterface, CountsByVehicle) {

@@ -285,7 +285,7 @@ struct RolloverWarning {
         warning = 3,
     };
 
-    // Side towards which the vehicle would fall; none too where only the hold time keeps the state.
+    // Side towards which the vehicle would fall; none too where the state is only held and the load has gone to the other side.
     enum class Side : std::uint8_t {
         none = 0,
         left = 1,
@@ -317,7 +317,7 @@ struct RolloverWarning {
 
     // Warning state.
     State state{State::unavailable};
-    // Side towards which the vehicle would fall; none too where only the hold time keeps the state.
+    // Side towards which the vehicle would fall; none too where the state is only held and the load has gone to the other side.
     Side side{Side::none};
     // Why the vehicle parameters were refused.
     ParametersRefusal parameters_refusal{ParametersRefusal::none};
