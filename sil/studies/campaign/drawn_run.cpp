@@ -40,7 +40,7 @@ SlowTurn at_threshold(const rsi::Parameters& calibration) {
                 static_cast<double>(calibration.sprung_cg_height_m)};
 }
 
-// Whoever takes a wrong height or stiffness computes wrong references from it.
+// A wrong height or stiffness makes wrong references of the rollover index.
 void carry_into_references(rsi::Parameters& mistaken, const rsi::Parameters& calibration) {
     const SlowTurn wrong = at_threshold(mistaken);
     const SlowTurn right = at_threshold(calibration);

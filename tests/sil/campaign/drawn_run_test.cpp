@@ -67,7 +67,7 @@ TEST(DrawnRun, ErrorsCountFromTheCalibrationWhichALoadChangesAsItChangesTheVehic
     }
 }
 
-// The paper's rollover index is not told the truth either: its references follow from height and stiffness.
+// The references of the paper's rollover index follow from height and stiffness.
 TEST(DrawnRun, WrongHeightAndStiffnessMakeWrongReferencesOfTheRolloverIndex) {
     const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
     const rsi::Parameters given = sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));
