@@ -161,6 +161,18 @@ TEST(WarningStateMachine, ALevelBetweenAdvisoryAndWarningDoesNotProlongAWarning)
     EXPECT_EQ(warning.after(0.85F), RSI_STATE_ADVISORY);
 }
 
+TEST(WarningStateMachine, AWarningThatFallsToAnAdvisoryHoldsThatFromThen) {
+    rsi_parameters parameters = quick();
+    parameters.warning_hold_s = 0.5F;
+    parameters.advisory_hold_s = 0.3F;
+    Warning warning(parameters);
+    warning.after(1.0F);
+    EXPECT_EQ(warning.after_samples(49, 0.75F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.after(0.75F), RSI_STATE_ADVISORY);  // the first of 30 samples
+    EXPECT_EQ(warning.after_samples(29, 0.0F), RSI_STATE_ADVISORY);
+    EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
+}
+
 TEST(WarningStateMachine, AWarningNeedsConfirmationWithoutInterruption) {
     rsi_parameters parameters = quick();
     parameters.warning_confirmation_s = 0.05F;
