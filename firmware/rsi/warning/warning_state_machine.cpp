@@ -64,16 +64,18 @@ void WarningStateMachine::update(const Constants& constants, const RiskLevel& ri
     }
     count_confirmation(constants, risk);
     enter(next_state(constants, risk));
-    count_hold(constants, risk);
-    update_side(constants, risk);
+    const float level = level_of_state(constants);
+    count_hold(level, risk);
+    update_side(constants, level, risk);
 }
 
 // The hold time starts anew at each sample at the level of the state.
-void WarningStateMachine::count_hold(const Constants& constants, const RiskLevel& risk) {
-    if (risk.indicator >= level_of_state(constants)) {
-        held_samples_ = 0U;
+void WarningStateMachine::count_hold(float level, const RiskLevel& risk) {
+    if (risk.indicator >= level) {
+        held_samples_ = 1U;
+    } else {
+        count_up(held_samples_);
     }
-    count_up(held_samples_);
 }
 
 float WarningStateMachine::level_of_state(const Constants& constants) const {
@@ -103,14 +105,15 @@ rsi_state WarningStateMachine::next_state(const Constants& constants, const Risk
     }
 }
 
-void WarningStateMachine::update_side(const Constants& constants, const RiskLevel& risk) {
-    side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(constants, risk);
+void WarningStateMachine::update_side(const Constants& constants, float level, const RiskLevel& risk) {
+    side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(constants, level, risk);
 }
 
 // A side stays named while its own risk lasts and the other's does not reach the level of the state; below
 // the advisory level it gives way to the other above it. Once neither is at risk, a held state keeps its side
 // as long as the indicator points there.
-rsi_side WarningStateMachine::next_side(const Constants& constants, const RiskLevel& risk) const {
+rsi_side WarningStateMachine::next_side(const Constants& constants, float level,
+                                        const RiskLevel& risk) const {
     const rsi_side riskier = falling_side(risk.side);
     if (risk.indicator < constants.advisory_off) {
         return (side_ == riskier) ? side_ : RSI_SIDE_NONE;
@@ -118,9 +121,8 @@ rsi_side WarningStateMachine::next_side(const Constants& constants, const RiskLe
     if ((side_ == RSI_SIDE_NONE) || (risk.opposite < constants.advisory_off)) {
         return riskier;
     }
-    const bool takes_over =
-        (risk.indicator >= level_of_state(constants)) ||
-        ((risk.indicator >= constants.advisory_on) && (risk.opposite < constants.advisory_on));
+    const bool takes_over = (risk.indicator >= level) || ((risk.indicator >= constants.advisory_on) &&
+                                                          (risk.opposite < constants.advisory_on));
     return takes_over ? riskier : side_;
 }
 

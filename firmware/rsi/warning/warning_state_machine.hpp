@@ -43,12 +43,13 @@ class WarningStateMachine {
 
  private:
     void enter(rsi_state state);
-    void count_hold(const Constants& constants, const RiskLevel& risk);
+    // `level`: the "on" level of the state.
     float level_of_state(const Constants& constants) const;
+    void count_hold(float level, const RiskLevel& risk);
     void count_confirmation(const Constants& constants, const RiskLevel& risk);
     rsi_state next_state(const Constants& constants, const RiskLevel& risk) const;
-    void update_side(const Constants& constants, const RiskLevel& risk);
-    rsi_side next_side(const Constants& constants, const RiskLevel& risk) const;
+    void update_side(const Constants& constants, float level, const RiskLevel& risk);
+    rsi_side next_side(const Constants& constants, float level, const RiskLevel& risk) const;
 
     rsi_state state_{RSI_STATE_UNAVAILABLE};
     rsi_side side_{RSI_SIDE_NONE};
