@@ -165,8 +165,8 @@ typedef struct {
     float warning_on;             /* indicator at which the warning state is entered */
     float warning_off;            /* indicator below which it may be left */
     float warning_confirmation_s; /* so many samples of 10 ms in a row at warning_on; 0: one */
-    float advisory_hold_s;        /* least time in the advisory state */
-    float warning_hold_s;         /* least time in the warning state */
+    float advisory_hold_s;        /* least time in the advisory state after the last sample at advisory_on */
+    float warning_hold_s;         /* least time in the warning state after the last sample at warning_on */
     float recovery_s;             /* inputs must be good this long before "unavailable" is left */
 
     /* Sensors: what the monitoring of the inputs has to admit */
