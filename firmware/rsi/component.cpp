@@ -161,9 +161,10 @@ void Component::take_load() {
         derived.moment_arm_error, vehicle.loaded, motion, load, measured.roll_source == RSI_ROLL_SENSOR);
     ForceTarget target{};
     const bool is_course_known = state.tyre_limit.update(derived.lateral_response, motion, demand, target);
+    const float forecast = state.forecast.update(vehicle, inputs, measured, demand);
     const Prediction predicted =
         derived.predictor.evaluate(vehicle, motion, load, demand, derived.lateral_response,
-                                   is_course_known ? &target : nullptr, moment_arm_error);
+                                   is_course_known ? &target : nullptr, moment_arm_error, forecast);
     outputs.predicted_load_transfer_ratio = predicted.load_transfer_ratio;
     outputs.opposite_load_transfer_ratio = predicted.opposite_ratio;
     outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);
@@ -222,6 +223,7 @@ void Component::resume(const Measurement& measured) {
     state_.motion_filter.reset(measured);
     state_.tyre_limit.reset(derived_.lateral_response);
     state_.moment_arm_error.reset();
+    state_.forecast.reset();
     state_.estimator.reset_signals();
     state_.extended_rsi = not_available;
     state_.running = true;

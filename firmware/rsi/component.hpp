@@ -10,6 +10,7 @@
 #include "rsi/parameter_change.hpp"
 #include "rsi/parameters.hpp"
 #include "rsi/prediction/lateral_response.hpp"
+#include "rsi/prediction/linear_forecast.hpp"
 #include "rsi/prediction/moment_arm_error.hpp"
 #include "rsi/warning/warning_state_machine.hpp"
 
@@ -27,6 +28,7 @@ struct State {
     RollCentreEstimator estimator{};
     TyreLimit tyre_limit{};
     MomentArmError moment_arm_error{};
+    LinearForecast forecast{};
     LoadAdaptation load_adaptation{};
     WarningStateMachine warning{};
 };

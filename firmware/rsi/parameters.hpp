@@ -28,7 +28,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 63> parameter_fields{{
+inline constexpr std::array<ParameterField, 65> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -68,6 +68,8 @@ inline constexpr std::array<ParameterField, 63> parameter_fields{{
     {"acceleration_trend_s", &Parameters::acceleration_trend_s, 0.02F, 5.0F},
     {"response_horizon_s", &Parameters::response_horizon_s, 0.0F, 0.5F},
     {"response_margin_per_s", &Parameters::response_margin_per_s, 0.0F, 10.0F},
+    {"forecast_share", &Parameters::forecast_share, 0.0F, 1.0F},
+    {"forecast_limit", &Parameters::forecast_limit, 0.0F, 1.0F},
     {"prediction_filter_lag_s", &Parameters::prediction_filter_lag_s, 0.0F, 0.5F},
     {"load_adaptation", &Parameters::load_adaptation, 0.0F, 1.0F},
     {"load_margin", &Parameters::load_margin, 0.0F, 1.0F},

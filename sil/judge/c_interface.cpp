@@ -1,7 +1,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
+#include "rsi/parameters.hpp"
+#include "rsi/prediction/linear_forecast.hpp"
 #include "sil/judge/detection.hpp"
 #include "sil/judge/index_score.hpp"
 #include "sil/judge/judge.h"
@@ -45,6 +48,18 @@ sil::IndexCourse course_of(const judge_course& given) {
     return course;
 }
 
+rsi::Parameters parameters_of(std::size_t count, const char* const* names, const double* values) {
+    rsi::Parameters parameters{};
+    for (std::size_t k = 0U; k < count; ++k) {
+        for (const rsi::ParameterField& field : rsi::parameter_fields) {
+            if (std::string_view{names[k]} == field.name) {
+                parameters.*field.member = static_cast<float>(values[k]);
+            }
+        }
+    }
+    return parameters;
+}
+
 judge_share share_of(const sil::Share& share) {
     const sil::ConfidenceInterval confidence = share.confidence();
     return {share.count, share.total, confidence.lowest, confidence.highest};
@@ -58,6 +73,7 @@ const double judge_early_s = sil::early_s;
 const double judge_very_early_s = sil::very_early_s;
 const double judge_time_rounding_s = sil::time_rounding_s;
 const double judge_lasting_s = sil::TwoWheelLiftObserver::lasting_s;
+const size_t judge_forecast_input_count = rsi::ForecastMatrix::SizeAtCompileTime;
 const size_t judge_fewest_clusters = sil::fewest_clusters;
 
 const char* judge_band_name(size_t band) {
@@ -117,6 +133,37 @@ int judge_alarms(const judge_calibration* calibration, const judge_course* cours
 
 double judge_alarm_threshold(const judge_calibration* calibration, const judge_course* course) {
     return sil::alarm_threshold(course_of(*course), parameters_of(*calibration));
+}
+
+void judge_forecast_inputs(size_t parameters, const char* const* names, const double* values,
+                           const judge_signals* signals, double* inputs) {
+    const rsi::Parameters calibration = parameters_of(parameters, names, values);
+    const rsi::Vehicle vehicle{calibration};
+    const rsi::SteeringDemand steering{calibration};
+    rsi::LinearForecast forecast;
+    for (std::size_t k = 0U; k < signals->cycles; ++k) {
+        rsi::Inputs sensed{};
+        sensed.yaw_rate_radps = static_cast<float>(signals->yaw_rate_radps[k]);
+        sensed.speed_mps = static_cast<float>(signals->speed_mps[k]);
+        sensed.steering_wheel_angle_rad = static_cast<float>(signals->steering_wheel_angle_rad[k]);
+        rsi::Measurement measured;
+        measured.road_parallel_force_mps2 = static_cast<float>(signals->road_parallel_force_mps2[k]);
+        measured.lateral_acceleration_mps2 = measured.road_parallel_force_mps2;
+        measured.roll_rate_radps = static_cast<float>(signals->roll_rate_radps[k]);
+        measured.roll_angle_rad = static_cast<float>(signals->roll_angle_rad[k]);
+        if (std::isfinite(measured.road_parallel_force_mps2) && std::isfinite(measured.roll_angle_rad)) {
+            forecast.update(vehicle, sensed, measured, steering.evaluate(sensed, measured));
+        } else {
+            forecast = rsi::LinearForecast{};  // no measurement
+        }
+        const rsi::ForecastMatrix& lagged = forecast.lagged();
+        for (Eigen::Index signal = 0; signal < lagged.rows(); ++signal) {
+            for (Eigen::Index lag = 0; lag < lagged.cols(); ++lag) {
+                *inputs = static_cast<double>(lagged(signal, lag));
+                ++inputs;
+            }
+        }
+    }
 }
 
 void judge_wilson_interval(double count, double total, double* lowest, double* highest) {

@@ -86,6 +86,25 @@ int judge_alarms(const judge_calibration* calibration, const judge_course* cours
 /* The largest threshold at which it does. */
 double judge_alarm_threshold(const judge_calibration* calibration, const judge_course* course);
 
+/* Signals of a drive, cycle by cycle, in the firmware's units; NaN: none. */
+typedef struct {
+    size_t cycles;
+    const double* road_parallel_force_mps2;
+    const double* roll_rate_radps;
+    const double* roll_angle_rad;
+    const double* yaw_rate_radps;
+    const double* speed_mps;
+    const double* steering_wheel_angle_rad;
+} judge_signals;
+
+extern const size_t judge_forecast_input_count;
+
+/* Inputs of the firmware's linear forecast, one for each weight, judge_forecast_input_count numbers a cycle;
+ * zero while there is no measurement. `names`, `values`: the calibration; names that are no number of it are
+ * passed over. */
+void judge_forecast_inputs(size_t parameters, const char* const* names, const double* values,
+                           const judge_signals* signals, double* inputs);
+
 void judge_wilson_interval(double count, double total, double* lowest, double* highest);
 
 /* For all runs, by vehicle: how many of each count, and of how many. */

@@ -13,6 +13,8 @@ import typing
 SIDES = {"none": 0, "left": 1, "right": 2}
 CALIBRATION = ("advisory_on", "advisory_off", "warning_on", "warning_off", "warning_confirmation_s", "advisory_hold_s",
                "warning_hold_s", "recovery_s")
+FORECAST_SIGNALS = ("road_parallel_force_mps2", "roll_rate_radps", "roll_angle_rad", "yaw_rate_radps", "speed_mps",
+                    "steering_wheel_angle_rad")
 BAND_COUNT = 4
 LEVEL_BAND = 2  # from 0.8 on: in which the studies make alarms as frequent as the firmware's
 DOUBLES, BYTES = ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_uint8)
@@ -45,6 +47,10 @@ class _Runs(ctypes.Structure):
                 ("largest_ltrs", DOUBLES), ("leads_s", DOUBLES), ("alarms", BYTES)]
 
 
+class _Signals(ctypes.Structure):
+    _fields_ = [("cycles", ctypes.c_size_t), *((name, DOUBLES) for name in FORECAST_SIGNALS)]
+
+
 def use(program):
     """Takes the library from beside this rsi-sil."""
     global _folder
@@ -70,6 +76,7 @@ def _library():
             ("index_lead_s", number, [calibration, course, number, number, byte]),
             ("alarms", ctypes.c_int, [calibration, course, number]),
             ("alarm_threshold", number, [calibration, course]),
+            ("forecast_inputs", None, [size, ctypes.POINTER(ctypes.c_char_p), DOUBLES, ctypes.POINTER(_Signals), DOUBLES]),
             ("wilson_interval", None, [number, number, DOUBLES, DOUBLES]),
             ("share_by_vehicle", None, [size, ctypes.POINTER(size), ctypes.POINTER(size), ctypes.POINTER(_Share)])):
         function = getattr(library, f"judge_{name}")
@@ -193,6 +200,19 @@ def lead_s(times_s, sides, lift_off_time_s, falling_side):
     """For how long, at lift-off, the falling side has been named; None if it is not. `sides`: named from these times on."""
     return _or_none(_library().judge_lead_s(len(times_s), _buffer("d", times_s), _buffer("B", [SIDES[side] for side in sides]),
                                             lift_off_time_s, SIDES[falling_side]))
+
+
+def forecast_inputs(calibration, signals):
+    """Inputs of the firmware's linear forecast, one for each weight, for each cycle: the three lags of the first signal,
+    of the second, and so on. `signals`: of each of FORECAST_SIGNALS, an array of doubles."""
+    known = {name: value for name, value in calibration.items() if isinstance(value, (int, float))}
+    names = (ctypes.c_char_p * len(known))(*(name.encode() for name in known))
+    cycles, count = len(signals[FORECAST_SIGNALS[0]]), _constant("forecast_input_count", ctypes.c_size_t)
+    inputs = array.array("d", bytes(8 * cycles * count))
+    buffers = [_buffer("d", signals[name]) for name in FORECAST_SIGNALS]
+    _library().judge_forecast_inputs(len(known), names, _buffer("d", known.values()), _Signals(cycles, *buffers),
+                                     (ctypes.c_double * len(inputs)).from_buffer(inputs))
+    return inputs, count
 
 
 class Index:

@@ -96,12 +96,12 @@ TEST_F(ASectionAuthority, TakesASectionWithTheSealOfItsKey) {
 
 TEST_F(ASectionAuthority, FindsTheSealWhereThePageSaysItIs) {
     const Bytes bytes = sealed_section(0x04030201U);
-    ASSERT_EQ(bytes.size(), 364U);
-    const Bytes head{bytes.begin() + 340, bytes.begin() + 348};
+    ASSERT_EQ(bytes.size(), 372U);
+    const Bytes head{bytes.begin() + 348, bytes.begin() + 356};
     EXPECT_EQ(head, (Bytes{'R', 'S', 'I', 'A', 1U, 2U, 3U, 4U}));
     rsi::hal::AuthenticationCode code{};
-    ASSERT_TRUE(rsi::hal::cmac(own_keys[2], bytes.data(), 348U, code));
-    EXPECT_TRUE(std::equal(code.begin(), code.end(), bytes.begin() + 348));
+    ASSERT_TRUE(rsi::hal::cmac(own_keys[2], bytes.data(), 356U, code));
+    EXPECT_TRUE(std::equal(code.begin(), code.end(), bytes.begin() + 356));
 }
 
 // A firmware without authority.

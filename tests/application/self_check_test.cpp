@@ -57,7 +57,7 @@ TEST_P(ADamagedParameter, IsAnInternalFaultWithin70MillisecondsAndStarvesTheWatc
     ASSERT_EQ(places.size(), 1U);
     const std::size_t from = bench.cycles().size();
     bench.memory()[places.front() + GetParam()] ^= 0x10U;
-    bench.run_cycles(8);
+    bench.run_cycles(10);
     EXPECT_TRUE(told(bench, from, Code::parameters_damaged, CodeStatus::confirmed));
     EXPECT_EQ(bench.state(), State::unavailable);
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
@@ -84,7 +84,7 @@ TEST(TheParameterGuard, SeesTwoExchangedWords) {
     guard.start(parameters);
     std::swap(parameters.imu_x_m, parameters.sprung_mass_kg);
     bool damaged = false;
-    for (int cycle = 0; cycle < 4; ++cycle) {
+    for (int cycle = 0; cycle < 5; ++cycle) {
         damaged = guard.is_damaged(parameters);
     }
     EXPECT_TRUE(damaged);

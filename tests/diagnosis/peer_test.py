@@ -174,7 +174,7 @@ class Peer(unittest.TestCase):
         damaged[100] ^= 1
         with self.assertRaisesRegex(LogError, "a wrong checksum; what it had is still there"):
             uds_client.download(self.client, TABLES, self.section(bytes(damaged)))
-        with self.assertRaisesRegex(LogError, "has 339 bytes, a section for this firmware 340"):
+        with self.assertRaisesRegex(LogError, "has 347 bytes, a section for this firmware 348"):
             uds_client.download(self.client, TABLES, self.section(SECTION[:-1]))
         self.assertFalse((pathlib.Path(self.folder.name) / "parameters.bin").exists())
         self.assertIn("from the next start", self.said(uds_client.download, self.section(SECTION)))
@@ -274,5 +274,5 @@ def section_of(source):
 if __name__ == "__main__":
     PROGRAM, SECTION = sys.argv[1], section_of(sys.argv[3])
     TABLES = odx_tables.read(sys.argv[2], PROJECT / "can_dbc/rollover_warning.dbc")
-    assert len(SECTION) == 340, "the section in C is not read as it is written now"
+    assert len(SECTION) == 348, "the section in C is not read as it is written now"
     unittest.main(argv=sys.argv[:1])

@@ -42,7 +42,7 @@ TEST(ADamagedIndex, OfTheRollConsistencyBeginsTheHistoryAnew) {
 
 // For any changed bit of its sums or its place: it goes on, and finds a change of the parameters.
 TEST(ADamagedIndex, OfTheParameterGuardIsAWrongSumAtMost) {
-    constexpr int two_passes = 8;
+    constexpr int two_passes = 10;
     rsi::Parameters parameters{};
     rsi::monitoring::ParameterGuard sound;
     sound.start(parameters);

@@ -38,7 +38,8 @@ class ADamagedCount : public ::testing::Test {
     float ahead(const rsi::RollPredictor& predictor) const {
         const rsi::TransferredLoad load =
             rsi::transferred_load(vehicle, parameters.load_transfer_inertial_weight, motion);
-        return predictor.evaluate(vehicle, motion, load, demand, response.response, &response.target, 0.0F)
+        return predictor
+            .evaluate(vehicle, motion, load, demand, response.response, &response.target, 0.0F, 0.0F)
             .load_transfer_ratio;
     }
 

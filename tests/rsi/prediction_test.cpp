@@ -26,8 +26,8 @@ class Look {
           response_{parameters},
           predictor_{parameters} {}
     rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {},
-                          const rsi::ForceTarget* target = nullptr) const {
-        return predictor_.evaluate(vehicle_, motion, load(motion), demand, response_, target, 0.0F);
+                          const rsi::ForceTarget* target = nullptr, float forecast = 0.0F) const {
+        return predictor_.evaluate(vehicle_, motion, load(motion), demand, response_, target, 0.0F, forecast);
     }
     float present(const rsi::RollMotion& motion) const { return load(motion).ratio; }
 
@@ -148,6 +148,51 @@ TEST(Prediction, EndsAtTwentyOnEitherSide) {
         EXPECT_EQ(static_cast<double>(look.present(motion)), side * 20.0);
         EXPECT_EQ(static_cast<double>(look.ahead(motion).load_transfer_ratio), side * 20.0);
     }
+}
+
+// 0.8 and, to the other side, nothing.
+class ForecastInPrediction : public testing::Test {
+ protected:
+    rsi::Prediction with(float share, float limit, float forecast) const {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.prediction_horizon_s = 0.0F;
+        parameters.forecast_share = share;
+        parameters.forecast_limit = limit;
+        return Look{parameters}.ahead(motion_, {}, nullptr, forecast);
+    }
+
+    rsi::RollMotion motion_ = motion_with(5.0, 0.04, 0.0);
+    float predicted_ = with(0.0F, 0.4F, 9.0F).load_transfer_ratio;
+};
+
+TEST_F(ForecastInPrediction, MovesItByItsShare) {
+    ASSERT_GT(predicted_, 0.3F);
+    EXPECT_NEAR(with(0.5F, 0.4F, predicted_ + 0.1F).load_transfer_ratio, predicted_ + 0.05F, 1.0e-6F);
+    EXPECT_NEAR(with(0.5F, 0.4F, predicted_ - 0.1F).load_transfer_ratio, predicted_ - 0.05F, 1.0e-6F);
+    EXPECT_NEAR(with(1.0F, 0.4F, predicted_ + 0.1F).load_transfer_ratio, predicted_ + 0.1F, 1.0e-6F);
+}
+
+TEST_F(ForecastInPrediction, MovesItNoFurtherThanItsLimitAndDownByHalfOfThat) {
+    EXPECT_NEAR(with(1.0F, 0.4F, 9.0F).load_transfer_ratio, 1.4F * predicted_, 1.0e-6F);
+    EXPECT_NEAR(with(1.0F, 0.4F, -9.0F).load_transfer_ratio, 0.8F * predicted_, 1.0e-6F);
+    EXPECT_EQ(with(1.0F, 0.0F, 9.0F).load_transfer_ratio, predicted_);
+}
+
+TEST_F(ForecastInPrediction, AloneWarnsOfNothing) {
+    motion_ = motion_with(0.0, 0.0, 0.0);
+    EXPECT_EQ(with(1.0F, 1.0F, 9.0F).load_transfer_ratio, 0.0F);
+    EXPECT_EQ(with(1.0F, 1.0F, 9.0F).opposite_ratio, 0.0F);
+}
+
+TEST_F(ForecastInPrediction, CountsWithTheOtherSignForTheOtherSide) {
+    motion_ = motion_with(0.5, 0.01, -0.5, -60.0);
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.prediction_horizon_s = horizon_s;
+    const float alone = Look{parameters}.ahead(motion_).load_transfer_ratio;
+    parameters.forecast_share = 0.5F;
+    const float moved = Look{parameters}.ahead(motion_, {}, nullptr, alone - 0.1F).load_transfer_ratio;
+    ASSERT_LT(alone, -0.3F);
+    EXPECT_NEAR(moved, alone - 0.05F, 1.0e-6F);
 }
 
 // A look ahead by the lateral response alone: without the trend's horizon.

@@ -47,6 +47,8 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.acceleration_trend_s = 0.15F;
     parameters.response_horizon_s = 0.3F;
     parameters.response_margin_per_s = 0.85F;
+    parameters.forecast_share = 0.0F;
+    parameters.forecast_limit = 0.4F;
     parameters.prediction_filter_lag_s = 0.02F;
     parameters.load_adaptation = 0.0F;
     parameters.load_margin = 0.0F;

@@ -24,7 +24,9 @@ RollPredictor::RollPredictor(const Parameters& parameters)
       // Validated to 0 .. 0.5 s: at most 13 steps.
       response_steps_(static_cast<std::uint32_t>(
           parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F)),
-      margin_per_step_(parameters.response_margin_per_s * LateralResponse::step_s) {
+      margin_per_step_(parameters.response_margin_per_s * LateralResponse::step_s),
+      forecast_share_(parameters.forecast_share),
+      forecast_limit_(parameters.forecast_limit) {
     const float trend_s = parameters.acceleration_trend_s;
     trend_after_horizon_s_ = trend_s * (1.0F - decaying_exponential(trend_horizon_s_ / trend_s));
 }
@@ -84,10 +86,17 @@ void RollPredictor::follow_response(const Vehicle& vehicle, const RollMotion& mo
     }
 }
 
+// Bounded by the prediction, which is not negative, so that the forecast alone never warns; half as far down
+// as up, so that a wrong one takes less of a warning.
+float RollPredictor::towards(float predicted, float forecast) const {
+    const float most = forecast_limit_ * predicted;
+    return predicted + clamp(forecast_share_ * (forecast - predicted), -0.5F * most, most);
+}
+
 Prediction RollPredictor::evaluate(const Vehicle& vehicle, const RollMotion& motion,
                                    const TransferredLoad& load, const DemandedForce& demand,
                                    const LateralResponse& response, const ForceTarget* target,
-                                   float moment_arm_error) const {
+                                   float moment_arm_error, float forecast) const {
     const float moment_arm_kgm = vehicle.loaded.moment_arm_kgm;
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
@@ -111,6 +120,8 @@ Prediction RollPredictor::evaluate(const Vehicle& vehicle, const RollMotion& mot
     if (target != nullptr) {
         follow_response(vehicle, motion, present, response, *target, moments, largest);
     }
+    largest.right = towards(largest.right, forecast);
+    largest.left = towards(largest.left, -forecast);
     // Wheels that are up come down before those of the other side can lift.
     largest.right = (load.ratio <= -1.0F) ? 0.0F : largest.right;
     largest.left = (load.ratio >= 1.0F) ? 0.0F : largest.left;

@@ -27,17 +27,18 @@ struct Prediction {
 //     a = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known;
 //   the lateral response, in steps of 40 ms over the long horizon, where steering and response are known.
 // Along the response a load transfer counts less by a margin that grows with time: what is further is less
-// sure.
+// sure. The larger of both, P, is then moved towards the linear forecast F, by at most a share of itself:
+//   P + s (F - P)  within  (1 - b/2) P .. (1 + b) P,    s = forecast_share, b = forecast_limit.
 class RollPredictor {
  public:
     RollPredictor() = default;
     [[gnu::cold]] explicit RollPredictor(const Parameters& parameters);
 
     // `load`: that of `motion`. `target`: none where the course of the force is not known.
-    // `moment_arm_error`: e of MomentArmError.
+    // `moment_arm_error`: e of MomentArmError. `forecast`: of LinearForecast.
     Prediction evaluate(const Vehicle& vehicle, const RollMotion& motion, const TransferredLoad& load,
                         const DemandedForce& demand, const LateralResponse& response,
-                        const ForceTarget* target, float moment_arm_error) const;
+                        const ForceTarget* target, float moment_arm_error, float forecast) const;
 
  private:
     // The roll moment of the sample, and how it follows the motion.
@@ -67,11 +68,14 @@ class RollPredictor {
     void follow_response(const Vehicle& vehicle, const RollMotion& motion, const State& present,
                          const LateralResponse& response, const ForceTarget& target, const Moments& moments,
                          Sides& largest) const;
+    float towards(float predicted, float forecast) const;
 
     float trend_horizon_s_{};
     float trend_after_horizon_s_{};  // tau_j (1 - exp(-t / tau_j)) after it
     std::uint32_t response_steps_{};
     float margin_per_step_{};
+    float forecast_share_{};
+    float forecast_limit_{};
 };
 
 }  // namespace rsi

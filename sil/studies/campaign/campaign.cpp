@@ -45,6 +45,7 @@ constexpr CsvColumn<Moment> trace_columns[] = {
     {"yaw_rate_degps", [](const Moment& now) { return as_double(now.inputs.yaw_rate_radps) * degrees_per_radian; }},
     {"steering_wheel_angle_deg", [](const Moment& now) { return as_double(now.inputs.steering_wheel_angle_rad) * degrees_per_radian; }},
     {"vehicle_mass_kg", [](const Moment& now) { return as_double(now.inputs.vehicle_mass_kg); }},
+    {"road_parallel_force_mps2", [](const Moment& now) { return as_double(now.outputs.road_parallel_force_mps2); }},
     {"load_transfer_ratio", [](const Moment& now) { return as_double(now.outputs.load_transfer_ratio); }},
     {"predicted_load_transfer_ratio", [](const Moment& now) { return as_double(now.outputs.predicted_load_transfer_ratio); }},
     {"opposite_load_transfer_ratio", [](const Moment& now) { return as_double(now.outputs.opposite_load_transfer_ratio); }},

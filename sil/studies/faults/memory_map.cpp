@@ -37,6 +37,7 @@ constexpr std::array component_members{Member{"component: initialised", sizeof(b
                                        member<rsi::RollCentreEstimator>("component: estimator"),
                                        member<rsi::TyreLimit>("component: tyre limit"),
                                        member<rsi::MomentArmError>("component: moment arm error"),
+                                       member<rsi::LinearForecast>("component: linear forecast"),
                                        member<rsi::LoadAdaptation>("component: load adaptation"),
                                        member<rsi::WarningStateMachine>("component: warning")};
 

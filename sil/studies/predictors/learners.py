@@ -27,6 +27,9 @@ class LoadAhead:
         self._model = model
         self._told = [k for k, group in enumerate(samples.groups()) if group not in without]
 
+    rows = staticmethod(samples.rows)
+    seen_from_left = staticmethod(samples.seen_from_left)
+
     def learn(self, told, ahead):
         self._model.fit(told[:, self._told], ahead)
 
@@ -34,8 +37,25 @@ class LoadAhead:
         return self._model.predict(told[:, self._told])
 
 
-def _linear():
-    return make_pipeline(StandardScaler(), Ridge(1.0))
+class LinearForecast:
+    """The firmware's: a weighted sum of its own inputs, without a constant, so that left is right with the other sign."""
+
+    horizon_s = 0.3
+    rows = staticmethod(samples.forecast_rows)
+    seen_from_left = staticmethod(np.negative)
+
+    def __init__(self):
+        self._model = make_pipeline(StandardScaler(with_mean=False), Ridge(1.0, fit_intercept=False))
+
+    def learn(self, told, ahead):
+        self._model.fit(told, ahead)
+
+    def risk(self, told):
+        return self._model.predict(told)
+
+    def weights(self):
+        """One for each input."""
+        return self._model[-1].coef_ / self._model[0].scale_
 
 
 def _trees():
@@ -49,10 +69,10 @@ def _perceptron():
     return make_pipeline(StandardScaler(), layers)
 
 
-TREES, LINEAR = "boosted trees", "linear"
+TREES, FORECAST = "boosted trees", "the linear forecast alone"
 # The name in the report -> a new predictor.
 LEARNED = {
-    LINEAR: lambda: LoadAhead(_linear(), 0.3),
+    FORECAST: LinearForecast,
     TREES: lambda: LoadAhead(_trees(), 0.3),
     f"{TREES}, 0.2 s": lambda: LoadAhead(_trees(), 0.2),
     f"{TREES}, signals only": lambda: LoadAhead(_trees(), 0.3, samples.OF_FIRMWARE),
@@ -65,8 +85,8 @@ def lessons(runs, predictor):
     random = np.random.default_rng(SEED)
     told, ahead = [], []
     for run in runs:
-        right = samples.rows(run)
-        for rows, coming in zip((right, samples.seen_from_left(right)), samples.coming(run, predictor.horizon_s)):
+        right = predictor.rows(run)
+        for rows, coming in zip((right, predictor.seen_from_left(right)), samples.coming(run, predictor.horizon_s)):
             coming = coming[:samples.until_lift(run):samples.STRIDE]
             kept = (coming > CALM_LTR) | (random.random(len(coming)) < CALM_SHARE)
             kept &= random.random(len(coming)) < KEPT_SHARE
@@ -89,7 +109,7 @@ def predictions(predictor, runs):
 
 
 def _prediction(predictor, run):
-    right = samples.rows(run)
-    both = predictor.risk(np.concatenate([right, samples.seen_from_left(right)])).astype(float)
+    right = predictor.rows(run)
+    both = predictor.risk(np.concatenate([right, predictor.seen_from_left(right)])).astype(float)
     end = samples.until_lift(run)
     return tuple(np.repeat(side, samples.STRIDE)[:end].tolist() for side in np.split(both, 2))

@@ -8,7 +8,7 @@ import tomllib
 CYCLE_S = 0.01
 # Columns of a trace; angles in degrees, as there.
 SIGNALS = ["lateral_acceleration_mps2", "roll_rate_degps", "roll_angle_deg", "speed_mps", "yaw_rate_degps",
-           "steering_wheel_angle_deg", "predicted_load_transfer_ratio", "opposite_load_transfer_ratio",
+           "steering_wheel_angle_deg", "road_parallel_force_mps2", "predicted_load_transfer_ratio", "opposite_load_transfer_ratio",
            "load_transfer_ratio", "true_load_transfer_ratio"]
 
 

@@ -10,7 +10,7 @@ HEAD = """<!-- Written by sil/studies/predictors/run --document; do not edit. --
 
 Predictors that are too heavy for the firmware learn from thousands of drawn runs what comes next, from the same
 signals: lateral acceleration, roll rate, roll angle, yaw rate, speed and steering of the last 0.3 s, as the firmware
-receives them, noise included, and the calibration with its errors. All but one are also told the load transfer that
+receives them, noise included, and the calibration with its errors. Some are also told the load transfer that
 the firmware computes, now and ahead. They show how much a better prediction would still find in these signals.
 
 {learned} runs of {learned_vehicles} vehicles are learned from: the half `choose` of a
@@ -26,8 +26,9 @@ the firmware computes, now and ahead. They show how much a better prediction wou
   keeps to them. For the row *unseen manoeuvres* each run is judged by a predictor that has learned without its kind
   of manoeuvre: turns, fishhooks, lane changes. Its share of the gain over the firmware is understanding of the
   vehicle; the rest is knowledge of the test. (The threshold of that row comes from vehicles that it has seen.)
-- **Target.** The largest load transfer of the next 0.3 s, or of what the row says, every 20 ms. *Linear* is
-  a weighted sum of all inputs, some forty numbers.
+- **Target.** The largest load transfer of the next 0.3 s, or of what the row says, every 20 ms.
+- **The linear forecast** is that of the firmware, [part of its prediction](../theory.md#prediction), here alone: a
+  weighted sum of fifteen numbers, learnt from these runs anew.
 - **Perfect forecast** is the true load transfer of the next {perfect} s, which no vehicle can have.
 
 In brackets: 95 % confidence, counting vehicles.

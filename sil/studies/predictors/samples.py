@@ -103,6 +103,20 @@ def rows(run):
     return np.hstack([told, speed[:, None], known])
 
 
+@functools.cache
+def forecast_rows(run):
+    """As rows(): the inputs of the firmware's linear forecast."""
+    in_degrees = {"roll_rate_radps", "roll_angle_rad", "yaw_rate_radps", "steering_wheel_angle_rad"}
+
+    def signal(name):
+        values = run.signals[name.replace("rad", "deg") if name in in_degrees else name]
+        values = np.frombuffer(values, dtype=np.float32).astype(float)
+        return np.radians(values) if name in in_degrees else values
+
+    inputs, count = judge.forecast_inputs(run.calibration, {name: signal(name) for name in judge.FORECAST_SIGNALS})
+    return np.frombuffer(inputs).reshape(-1, count)[:until_lift(run):STRIDE]
+
+
 def seen_from_left(told):
     mirrored = told.copy()
     mirrored[:, :len(WINDOWS) * len(LATERAL + OF_FIRMWARE)] *= -1

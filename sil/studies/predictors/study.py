@@ -113,7 +113,7 @@ def main(arguments):
         add(name, unseen, learners.predictions(predictor, reported))
         if name == learners.TREES:
             groups = importance.by_group(predictor, reported)
-        if name in (learners.LINEAR, learners.TREES):
+        if name in (learners.FORECAST, learners.TREES):
             of_unseen = unseen_manoeuvre_predictions(name, chosen, level_runs + reported)
             add(f"{name}, unseen manoeuvres", of_unseen, of_unseen)
     add(PERFECT, perfect_predictions(level_runs), perfect_predictions(reported))

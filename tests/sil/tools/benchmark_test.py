@@ -44,7 +44,7 @@ class Benchmark(unittest.TestCase):
     @classmethod
     def drive(cls, name, seed):
         subprocess.run([cls.program, "campaign", "run", *cls.vehicles, "--runs", str(RUNS), "--seed", str(seed), "--set",
-                        "warning_on=0.85", "--traces", "--output", cls.scratch / name],
+                        "warning_on=0.85", "--set", "forecast_share=0", "--traces", "--output", cls.scratch / name],
                        cwd=PROJECT, check=True, capture_output=True, timeout=300)
         return cls.scratch / name
 

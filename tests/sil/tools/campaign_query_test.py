@@ -123,7 +123,7 @@ class Queries(Asked):
         scratch = cls.scratch_folder()
         cls.folder, settings = scratch / "it's a campaign", scratch / "settings.toml"
         # Settings under which there are missed lift-offs to be asked for.
-        write_settings(settings, ['warning_indicator="published"'],
+        write_settings(settings, ['warning_indicator="published"', "warning_on=0.95"],
                        [(name, [0.8, 1.2], [0.6, 1.4]) for name in ("j-turn-110", "fishhook-1a")])
         for first in range(0, RUNS, 30):
             cls.drive(settings, RUNS, first, 30)

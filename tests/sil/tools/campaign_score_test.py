@@ -30,9 +30,9 @@ class Scores(unittest.TestCase):
         cls.addClassCleanup(scratch.cleanup)
         cls.scratch = pathlib.Path(scratch.name)
         cls.folder = cls.scratch / "campaign"
-        # A level at which calm runs have alarms.
+        # A level at which calm runs have alarms, and a prediction that is late in some.
         settings = cls.scratch / "settings.toml"
-        changes = 'changes = ["warning_on=0.8", "warning_off=0.75", "advisory_on=0.7", "advisory_off=0.65"]\n'
+        changes = 'changes = ["forecast_share=0", "warning_on=0.8", "warning_off=0.75", "advisory_on=0.7", "advisory_off=0.65"]\n'
         settings.write_text(changes + "".join(
             f'\n[[manoeuvre]]\nname = "{name}"\nspeed_factor = [0.8, 1.2]\nsteering_factor = [0.5, 1.2]\n'
             for name in ("j-turn-110", "fishhook-1a")), encoding="utf-8")

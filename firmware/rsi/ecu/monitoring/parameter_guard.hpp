@@ -10,7 +10,7 @@
 namespace rsi::monitoring {
 
 // Fletcher checksum: the second sum depends on the order, so it detects exchanged words too. A pass takes
-// four cycles, so a change is detected after 30 to 70 ms.
+// five cycles, so a change is detected after at most 90 ms.
 class ParameterGuard {
  public:
     // Takes these parameters as the reference.
@@ -44,7 +44,7 @@ class ParameterGuard {
         MemoryWord weighted{0U};
     };
 
-    static constexpr std::size_t slice_count = 4U;
+    static constexpr std::size_t slice_count = 5U;
     static constexpr std::size_t word_count = sizeof(rsi::Parameters) / sizeof(MemoryWord);
     static constexpr std::size_t words_of_slice = word_count / slice_count;
     static_assert(sizeof(rsi::Parameters) % (slice_count * sizeof(MemoryWord)) == 0U,

@@ -44,7 +44,7 @@ class Refusal(support.WithFmus):
             ecu.started()
             self.refused("parameter advisory_on is fixed; set it before initialisation ends, or reset the instance first",
                          ecu.set, "advisory_on", 0.5)
-            self.assertEqual(ecu.get("advisory_on"), 0.8)
+            self.assertEqual(ecu.get("advisory_on"), 0.76)
 
     def test_an_output_set(self):
         for ecu in self.each("ecu"):

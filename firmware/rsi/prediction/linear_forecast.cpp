@@ -1,0 +1,61 @@
+#include "rsi/prediction/linear_forecast.hpp"
+
+#include <array>
+
+#include "rsi/numeric/bounded.hpp"
+#include "rsi/numeric/two_lags.hpp"
+#include "rsi/prediction/forecast_weights.hpp"
+
+namespace rsi {
+namespace {
+
+constexpr Eigen::Index signals = ForecastMatrix::RowsAtCompileTime;
+constexpr Eigen::Index lags = ForecastMatrix::ColsAtCompileTime;
+
+// The later ones say what was a moment ago.
+constexpr std::array<float, 3> weights_of_lags{lag_weight(0.02F), lag_weight(0.06F), lag_weight(0.15F)};
+
+// More than any tyre gives.
+constexpr float largest_forecast_force_mps2 = 20.0F;
+// What the yaw rate says is bounded, so that a wrong one cannot outweigh the force.
+constexpr float largest_yaw_difference_mps2 = 4.0F;
+constexpr float largest_forecast_yaw_rate_radps = 10.0F;
+constexpr float largest_forecast_speed_mps = 150.0F;
+
+}  // namespace
+
+float LinearForecast::update(const Vehicle& vehicle, const Inputs& inputs, const Measurement& measured,
+                             const DemandedForce& demand) {
+    const LoadedBody& loaded = vehicle.loaded;
+    const float A = measured.road_parallel_force_mps2;
+    const bool yaw_is_known = is_within_magnitude(inputs.yaw_rate_radps, largest_forecast_yaw_rate_radps) &&
+                              is_within_magnitude(inputs.speed_mps, largest_forecast_speed_mps);
+    const float yawed_mps2 = yaw_is_known ? inputs.yaw_rate_radps * inputs.speed_mps : A;
+    const float beyond_force_mps2 = clamp_magnitude(yawed_mps2 - A, largest_yaw_difference_mps2);
+    const float steered_mps2 = demand.is_known ? demand.force_mps2 : A;
+
+    // In shares of what lifts the wheels; the roll rate in rad/s. The half weight is more than zero.
+    const float per_nm = 1.0F / (gravity_mps2 * loaded.half_weight_kgm);
+    const float per_mps2 = loaded.height_moment_kgm * per_nm;
+    const std::array<float, static_cast<std::size_t>(signals)> now{
+        per_mps2 * clamp_magnitude(A, largest_forecast_force_mps2),
+        measured.roll_rate_radps,
+        vehicle.suspension.stiffness_nmprad * measured.roll_angle_rad * per_nm,
+        per_mps2 * clamp_magnitude(A + beyond_force_mps2, largest_forecast_force_mps2),
+        per_mps2 * clamp_magnitude(steered_mps2, largest_forecast_force_mps2),
+    };
+
+    float forecast = 0.0F;
+    for (Eigen::Index signal = 0; signal < signals; ++signal) {
+        const float value = now[static_cast<std::size_t>(signal)];
+        for (Eigen::Index lag = 0; lag < lags; ++lag) {
+            float& lagged = lagged_(signal, lag);
+            lagged = running_ ? lagged + weights_of_lags[static_cast<std::size_t>(lag)] * (value - lagged) : value;
+            forecast += forecast_weights[signal][lag] * lagged;
+        }
+    }
+    running_ = true;
+    return forecast;
+}
+
+}  // namespace rsi
