@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rsi/prediction/forecast_weights.hpp"
 #include "tests/rsi/support/nominal.hpp"
@@ -40,17 +42,19 @@ class LinearForecast : public testing::Test {
 
     // The moment that lifts the wheels, from the data sheet.
     double half_weight_nm() const {
-        return rsi_test::gravity_mps2 * static_cast<double>(parameters_.sprung_mass_kg + parameters_.unsprung_mass_kg) *
-               0.5 * static_cast<double>(parameters_.track_width_m);
+        return rsi_test::gravity_mps2 *
+               static_cast<double>(parameters_.sprung_mass_kg + parameters_.unsprung_mass_kg) * 0.5 *
+               static_cast<double>(parameters_.track_width_m);
     }
     double share_of(double force_mps2) const {
-        const double arm_kgm = static_cast<double>(parameters_.sprung_mass_kg * parameters_.sprung_cg_height_m +
-                                                   parameters_.unsprung_mass_kg * parameters_.unsprung_cg_height_m);
+        const double arm_kgm =
+            static_cast<double>(parameters_.sprung_mass_kg * parameters_.sprung_cg_height_m +
+                                parameters_.unsprung_mass_kg * parameters_.unsprung_cg_height_m);
         return arm_kgm * force_mps2 / half_weight_nm();
     }
 
-    static double weight(int signal) {
-        const float(&row)[3] = rsi::forecast_weights[signal];
+    static double weight(std::size_t signal) {
+        const std::array<float, 3>& row = rsi::forecast_weights[signal];
         return static_cast<double>(row[0]) + static_cast<double>(row[1]) + static_cast<double>(row[2]);
     }
 
@@ -80,8 +84,8 @@ TEST_F(LinearForecast, SeesALeftTurnAsARightOneWithTheOtherSign) {
         const Sample sample{9.0F * x, 0.3F * x, 0.1F * x, 0.5F * x, 2.0F * x};
         const float to_the_right = update(sample);
         std::swap(forecast_, left);
-        EXPECT_EQ(update({-sample.force_mps2, -sample.roll_rate_radps, -sample.roll_angle_rad, -sample.yaw_rate_radps,
-                          -sample.steering_wheel_angle_rad}),
+        EXPECT_EQ(update({-sample.force_mps2, -sample.roll_rate_radps, -sample.roll_angle_rad,
+                          -sample.yaw_rate_radps, -sample.steering_wheel_angle_rad}),
                   -to_the_right);
         std::swap(forecast_, left);
     }
@@ -110,7 +114,8 @@ TEST_F(LinearForecast, TakesTheForceWhereYawRateOrSteeringIsMissing) {
     blind.speed_mps = none;
     blind.steering_wheel_angle_rad = none;
     const float without_any = update(blind);
-    EXPECT_NEAR(static_cast<double>(without_any), (weight(0) + weight(3) + weight(4)) * share_of(4.0), 1.0e-5);
+    EXPECT_NEAR(static_cast<double>(without_any), (weight(0) + weight(3) + weight(4)) * share_of(4.0),
+                1.0e-5);
 }
 
 TEST_F(LinearForecast, HearsNoMoreOfTheYawRateThanABoundedDifferenceFromTheForce) {
@@ -118,14 +123,16 @@ TEST_F(LinearForecast, HearsNoMoreOfTheYawRateThanABoundedDifferenceFromTheForce
     forecast_.reset();
     EXPECT_NEAR(update({5.0F, 0.0F, 0.0F, 9.0F}), right, 1.0e-6F);
     forecast_.reset();
-    EXPECT_NEAR(static_cast<double>(right - update({5.0F, 0.0F, 0.0F, 0.0F})), weight(3) * share_of(8.0), 1.0e-5);
+    EXPECT_NEAR(static_cast<double>(right - update({5.0F, 0.0F, 0.0F, 0.0F})), weight(3) * share_of(8.0),
+                1.0e-5);
 }
 
 TEST_F(LinearForecast, IsFiniteAndBoundedAtTheEndsOfTheRanges) {
     for (const float side : {1.0F, -1.0F}) {
         for (const float speed_mps : {0.0F, 150.0F, 1.0e9F}) {
             forecast_.reset();
-            const float forecast = update({60.0F * side, 10.0F * side, 1.5F * side, 1.0e9F * side, 29.0F * side, speed_mps});
+            const float forecast =
+                update({60.0F * side, 10.0F * side, 1.5F * side, 1.0e9F * side, 29.0F * side, speed_mps});
             EXPECT_TRUE(std::fabs(forecast) < 200.0F) << forecast;
         }
     }

@@ -34,5 +34,6 @@ using Vector4 = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
 using Matrix2 = Eigen::Matrix<float, 2, 2, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix<float, 3, 3, Eigen::DontAlign>;
 using Matrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
+using Matrix5x3 = Eigen::Matrix<float, 5, 3, Eigen::DontAlign>;
 
 }  // namespace rsi

@@ -17,7 +17,7 @@ constexpr std::array<float, 3> weights_of_lags{lag_weight(0.02F), lag_weight(0.0
 
 // More than any tyre gives.
 constexpr float largest_forecast_force_mps2 = 20.0F;
-// What the yaw rate says is bounded, so that a wrong one cannot outweigh the force.
+// Bounds the yaw rate, so that a wrong one cannot outweigh the force.
 constexpr float largest_yaw_difference_mps2 = 4.0F;
 constexpr float largest_forecast_yaw_rate_radps = 10.0F;
 constexpr float largest_forecast_speed_mps = 150.0F;
@@ -50,8 +50,10 @@ float LinearForecast::update(const Vehicle& vehicle, const Inputs& inputs, const
         const float value = now[static_cast<std::size_t>(signal)];
         for (Eigen::Index lag = 0; lag < lags; ++lag) {
             float& lagged = lagged_(signal, lag);
-            lagged = running_ ? lagged + weights_of_lags[static_cast<std::size_t>(lag)] * (value - lagged) : value;
-            forecast += forecast_weights[signal][lag] * lagged;
+            lagged =
+                running_ ? lagged + weights_of_lags[static_cast<std::size_t>(lag)] * (value - lagged) : value;
+            forecast +=
+                forecast_weights[static_cast<std::size_t>(signal)][static_cast<std::size_t>(lag)] * lagged;
         }
     }
     running_ = true;

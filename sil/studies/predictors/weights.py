@@ -22,12 +22,14 @@ import file_io  # noqa: E402
 HEADER = """// Written by sil/studies/predictors/run --weights; do not edit.
 #pragma once
 
+#include <array>
+
 namespace rsi {{
 
 // A row for each signal, as in ForecastMatrix, a number for each lag.
-inline constexpr float forecast_weights[{rows}][{lags}] = {{
+inline constexpr std::array<std::array<float, {lags}>, {rows}> forecast_weights{{{{
 {lines}
-}};
+}}}};
 
 }}  // namespace rsi
 """
@@ -36,7 +38,7 @@ LAGS = 3
 
 def header(weights):
     rows = [weights[k:k + LAGS] for k in range(0, len(weights), LAGS)]
-    lines = ["    {" + ", ".join(f"{weight:.3f}F" for weight in row) + "}," for row in rows]
+    lines = ["    {{" + ", ".join(f"{weight:.3f}F" for weight in row) + "}}," for row in rows]
     return HEADER.format(rows=len(rows), lags=LAGS, lines="\n".join(lines))
 
 
