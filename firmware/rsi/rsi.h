@@ -138,8 +138,8 @@ typedef struct {
     float response_horizon_s;    /* how far with the lateral response, where it is known; 0: not at all */
     float response_margin_per_s; /* by how much a load transfer counts less for each second beyond 0.1 s */
     float forecast_share;        /* of the learnt linear forecast in the predicted load transfer; 0: none */
-    float forecast_limit; /* by which share of itself, at most, the forecast raises the prediction; it lowers
-                             it by half of that */
+    float forecast_limit; /* by which share of itself, at most, the forecast raises the prediction; a quarter
+                             of it downwards */
     float prediction_filter_lag_s; /* two such lags on the signals, a third on the trend */
 
     /* Load beyond the calibrated one */

@@ -172,9 +172,9 @@ TEST_F(ForecastInPrediction, MovesItByItsShare) {
     EXPECT_NEAR(with(1.0F, 0.4F, predicted_ + 0.1F).load_transfer_ratio, predicted_ + 0.1F, 1.0e-6F);
 }
 
-TEST_F(ForecastInPrediction, MovesItNoFurtherThanItsLimitAndDownByHalfOfThat) {
+TEST_F(ForecastInPrediction, MovesItNoFurtherThanItsLimitAndDownByAQuarterOfThat) {
     EXPECT_NEAR(with(1.0F, 0.4F, 9.0F).load_transfer_ratio, 1.4F * predicted_, 1.0e-6F);
-    EXPECT_NEAR(with(1.0F, 0.4F, -9.0F).load_transfer_ratio, 0.8F * predicted_, 1.0e-6F);
+    EXPECT_NEAR(with(1.0F, 0.4F, -9.0F).load_transfer_ratio, 0.9F * predicted_, 1.0e-6F);
     EXPECT_EQ(with(1.0F, 0.0F, 9.0F).load_transfer_ratio, predicted_);
 }
 

@@ -86,11 +86,11 @@ void RollPredictor::follow_response(const Vehicle& vehicle, const RollMotion& mo
     }
 }
 
-// Bounded by the prediction, which is not negative, so that the forecast alone never warns; half as far down
-// as up, so that a wrong one takes less of a warning.
+// Bounded by the prediction, which is not negative, so that the forecast alone never warns; less far down
+// than up, so that a wrong one takes little of a warning.
 float RollPredictor::towards(float predicted, float forecast) const {
     const float most = forecast_limit_ * predicted;
-    return predicted + clamp(forecast_share_ * (forecast - predicted), -0.5F * most, most);
+    return predicted + clamp(forecast_share_ * (forecast - predicted), -0.25F * most, most);
 }
 
 Prediction RollPredictor::evaluate(const Vehicle& vehicle, const RollMotion& motion,

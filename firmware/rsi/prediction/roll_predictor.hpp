@@ -28,7 +28,7 @@ struct Prediction {
 //   the lateral response, in steps of 40 ms over the long horizon, where steering and response are known.
 // Along the response a load transfer counts less by a margin that grows with time: what is further is less
 // sure. The larger of both, P, is then moved towards the linear forecast F, by at most a share of itself:
-//   P + s (F - P)  within  (1 - b/2) P .. (1 + b) P,    s = forecast_share, b = forecast_limit.
+//   P + s (F - P)  within  (1 - b/4) P .. (1 + b) P,    s = forecast_share, b = forecast_limit.
 class RollPredictor {
  public:
     RollPredictor() = default;

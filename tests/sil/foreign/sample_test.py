@@ -33,12 +33,12 @@ SEED = 1
 GRAVITY = conventions.GRAVITY_MPS2
 # Drives of the first two vehicles that lift two wheels; lift-offs warned of, 0.1 s and 0.2 s before; alarms of how many, by band.
 LIFTED = [True, True, True, True, True, False, True, False]
-WARNED = {ways.CLEAN: (6, 6, 5), ways.ERRORS: (6, 6, 5)}
+WARNED = {ways.CLEAN: (6, 6, 6), ways.ERRORS: (6, 6, 6)}
 ALARMS = [(0, 1), (0, 0), (0, 0), (1, 1)]
 JOINTED = 10  # on swing arms
 JOINTED_WITHOUT_INERTIA = 7  # a frame that twists
 JOINTED_LIFTED = [False, True, True, True]
-JOINTED_WARNED = {ways.CLEAN: (3, 3, 2), ways.ERRORS: (3, 3, 2)}
+JOINTED_WARNED = {ways.CLEAN: (3, 3, 3), ways.ERRORS: (3, 3, 3)}
 JOINTED_ALARMS = [(0, 0), (0, 1), (0, 0), (0, 0)]
 
 
