@@ -118,6 +118,18 @@ TEST_F(LinearForecast, TakesTheForceWhereYawRateOrSteeringIsMissing) {
                 1.0e-5);
 }
 
+TEST_F(LinearForecast, SeesNoStepWhereTheYawRateIsLost) {
+    Sample turn{5.0F, 0.0F, 0.05F, 0.3F};
+    for (int k = 0; k < 30; ++k) {
+        update(turn);
+    }
+    turn.yaw_rate_radps = none;
+    const float at_once = update(turn);
+    for (int k = 0; k < 100; ++k) {
+        EXPECT_NEAR(update(turn), at_once, 1.0e-3F) << k;
+    }
+}
+
 TEST_F(LinearForecast, HearsNoMoreOfTheYawRateThanABoundedDifferenceFromTheForce) {
     const float right = update({5.0F, 0.0F, 0.0F, 9.0F / 20.0F});
     forecast_.reset();

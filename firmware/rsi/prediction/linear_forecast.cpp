@@ -32,28 +32,33 @@ float LinearForecast::update(const Vehicle& vehicle, const Inputs& inputs, const
                               is_within_magnitude(inputs.speed_mps, largest_forecast_speed_mps);
     const float yawed_mps2 = yaw_is_known ? inputs.yaw_rate_radps * inputs.speed_mps : A;
     const float beyond_force_mps2 = clamp_magnitude(yawed_mps2 - A, largest_yaw_difference_mps2);
-    const float steered_mps2 = demand.is_known ? demand.force_mps2 : A;
 
     // In shares of what lifts the wheels; the roll rate in rad/s. The half weight is more than zero.
     const float per_nm = 1.0F / (gravity_mps2 * loaded.half_weight_kgm);
     const float per_mps2 = loaded.height_moment_kgm * per_nm;
-    const std::array<float, static_cast<std::size_t>(signals)> now{
+    const std::array<float, 5> now{
         per_mps2 * clamp_magnitude(A, largest_forecast_force_mps2),
         measured.roll_rate_radps,
         vehicle.suspension.stiffness_nmprad * measured.roll_angle_rad * per_nm,
         per_mps2 * clamp_magnitude(A + beyond_force_mps2, largest_forecast_force_mps2),
-        per_mps2 * clamp_magnitude(steered_mps2, largest_forecast_force_mps2),
+        per_mps2 * clamp_magnitude(demand.force_mps2, largest_forecast_force_mps2),
     };
+    const std::array<bool, 5> is_known{true, true, true, yaw_is_known, demand.is_known};
 
     float forecast = 0.0F;
     for (Eigen::Index signal = 0; signal < signals; ++signal) {
-        const float value = now[static_cast<std::size_t>(signal)];
+        const auto row = static_cast<std::size_t>(signal);
         for (Eigen::Index lag = 0; lag < lags; ++lag) {
+            const auto column = static_cast<std::size_t>(lag);
             float& lagged = lagged_(signal, lag);
-            lagged =
-                running_ ? lagged + weights_of_lags[static_cast<std::size_t>(lag)] * (value - lagged) : value;
-            forecast +=
-                forecast_weights[static_cast<std::size_t>(signal)][static_cast<std::size_t>(lag)] * lagged;
+            if (!is_known[row]) {
+                lagged = lagged_(0, lag);  // the force's past, too: a step would look like a motion
+            } else if (running_) {
+                lagged += weights_of_lags[column] * (now[row] - lagged);
+            } else {
+                lagged = now[row];
+            }
+            forecast += forecast_weights[row][column] * lagged;
         }
     }
     running_ = true;
