@@ -25,12 +25,17 @@ constexpr Return of_frames{150, 1100};       // channel, recovery_s; 100 cycles
 constexpr Return of_values{150, 50};         // 5 cycles, recovery_s
 constexpr Return of_saturation{1000, 1050};  // the jump back, the observer's second
 
+// A lost speed or yaw rate takes from the forecast what it looks ahead by.
+constexpr int lead_loss_of(Demand demand) {
+    return longest_lead_loss_ms + (demand == Demand::motion_lost ? forecast_lead_ms : 0);
+}
+
 constexpr Expectation nothing{Demand::unaffected,   0,        of_frames.recovery_ms,
                               of_frames.healing_ms, wrong_ms, longest_lead_loss_ms};
 
 // Effects that are visible at once, and gone with the fault.
 constexpr Expectation at_once(Demand demand, int lapse_ms = 0, Return back = of_frames) {
-    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, longest_lead_loss_ms, lapse_ms};
+    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, lead_loss_of(demand), lapse_ms};
 }
 
 // Reactions required when nothing usable comes from there.
@@ -83,8 +88,9 @@ Expectation contradiction(const Fault& fault, SceneKind scene) {
                 stated.late_ms, any_time_ms};
     }
     Expectation expected{demand_of_loss(fault.place), limit_ms, back.recovery_ms, back.healing_ms};
-    expected.wrong_ms = std::max(limit_ms, wrong_ms);
-    expected.lead_loss_ms = std::max(limit_ms, longest_lead_loss_ms);
+    expected.wrong_ms = std::max({limit_ms, wrong_ms, stated.wrong_ms});
+    expected.lead_loss_ms = expected.demand == Demand::motion_lost ? limit_ms + lead_loss_of(expected.demand)
+                                                                   : std::max(limit_ms, longest_lead_loss_ms);
     expected.lapse_ms = stated.lapse_ms;
     return expected;
 }
@@ -166,7 +172,7 @@ Expectation expectation_of_recovery(const Expectation& there) {
         return expected;
     }
     expected.demand = Demand::recovery;
-    expected.lead_loss_ms = std::max(there.recovery_ms - over_before_warning_ms, 0) + longest_lead_loss_ms;
+    expected.lead_loss_ms = std::max(there.recovery_ms - over_before_warning_ms, 0) + lead_loss_of(there.demand);
     return expected;
 }
 
