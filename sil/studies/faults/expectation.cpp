@@ -12,7 +12,7 @@ namespace {
 
 constexpr int at_once_ms = 50;  // the frame itself shows that something is wrong
 constexpr int wrong_ms = 120;
-constexpr int forecast_lead_ms = 50;   // what yaw rate, speed and steering add to the lead of a warning
+constexpr int forecast_lead_ms = 50;   // added to the lead of a warning by yaw rate, speed and steering
 constexpr int warning_hold_ms = 1000;  // warning_hold_s of the calibration, from the last sample at its level
 constexpr int fading_ms = 50;          // until the filters of the prediction have lost a wrong value
 
@@ -172,7 +172,8 @@ Expectation expectation_of_recovery(const Expectation& there) {
         return expected;
     }
     expected.demand = Demand::recovery;
-    expected.lead_loss_ms = std::max(there.recovery_ms - over_before_warning_ms, 0) + lead_loss_of(there.demand);
+    expected.lead_loss_ms =
+        std::max(there.recovery_ms - over_before_warning_ms, 0) + lead_loss_of(there.demand);
     return expected;
 }
 
