@@ -95,7 +95,7 @@ class CoSimulation(support.WithFmus):
         example = support.PROJECT / "docs/examples/co_simulation/together.py"
         said = subprocess.run([sys.executable, "-B", str(example), str(self.folder)], capture_output=True, text=True, check=True)
         lines = said.stdout.splitlines()
-        self.assertIn("  1.35 s  ECU: warning, right side", lines)
+        self.assertIn("  1.34 s  ECU: warning, right side", lines)
         self.assertEqual(lines[-1], " 2.004 s  two wheels of one side have lifted")
 
 
