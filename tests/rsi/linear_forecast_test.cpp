@@ -125,6 +125,7 @@ TEST_F(LinearForecast, SeesNoStepWhereTheYawRateIsLost) {
     }
     turn.yaw_rate_radps = none;
     const float at_once = update(turn);
+    EXPECT_EQ(forecast_.lagged()(3, 2), forecast_.lagged()(0, 2));
     for (int k = 0; k < 100; ++k) {
         EXPECT_NEAR(update(turn), at_once, 1.0e-3F) << k;
     }
