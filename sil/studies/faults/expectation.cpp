@@ -11,7 +11,7 @@ namespace sil {
 namespace {
 
 constexpr int at_once_ms = 50;  // the frame itself shows that something is wrong
-constexpr int wrong_ms = 120;
+constexpr int wrong_ms = 110;
 constexpr int forecast_lead_ms = 50;   // added to the lead of a warning by yaw rate, speed and steering
 constexpr int warning_hold_ms = 1000;  // warning_hold_s of the calibration, from the last sample at its level
 constexpr int fading_ms = 50;          // until the filters of the prediction have lost a wrong value

@@ -155,8 +155,8 @@ TEST(Judgement, WantsNoWrongStateWithoutACodeForLongerThanItsFiltersTake) {
     const auto wrong_for = [](std::size_t cycles) {
         return good_answer_to_a_lost_frame().say(500U, 500U + cycles, answer(WarningState::advisory));
     };
-    EXPECT_THAT(wrong_for(12U).shortfalls(imu_lost), testing::Not(Contains(HasSubstr("without a code"))));
-    EXPECT_THAT(wrong_for(13U).shortfalls(imu_lost), Contains("wrong for 130 ms without a code"));
+    EXPECT_THAT(wrong_for(11U).shortfalls(imu_lost), testing::Not(Contains(HasSubstr("without a code"))));
+    EXPECT_THAT(wrong_for(12U).shortfalls(imu_lost), Contains("wrong for 120 ms without a code"));
 }
 
 TEST(Judgement, WantsTheDueWarningOfWhatNeedNotShow) {
