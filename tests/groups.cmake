@@ -2,6 +2,7 @@
 #   once         takes long and says little more under sanitizers: left out there
 #   vcan         needs a CAN interface; tests/run gives it one
 #   on_request   not part of any group that tests/run runs by default
+#   command      with sanitizers, tests of sil's commands: rsi-sil holds every study
 
 # The group of the folder that this is called in.
 function(folder_group result)
@@ -20,6 +21,9 @@ function(label_tests)
             continue()
         endif()
         set(label ${group})
+        if(RSI_SANITIZERS AND group MATCHES "^sil/")
+            string(APPEND label :command)
+        endif()
         foreach(kind once vcan on_request)
             string(TOUPPER ${kind} list)
             if(test IN_LIST tests_${list})
@@ -30,13 +34,16 @@ function(label_tests)
     endforeach()
 endfunction()
 
-# add_gtest_program(PROGRAM [ONCE FILTER] [VCAN]): registers the tests of a GoogleTest program; those that FILTER matches run
-# once. VCAN: one after the other, because they share the interface. With sanitizers a program runs whole, in two halves:
+# add_gtest_program(PROGRAM [ONCE FILTER] [VCAN] [COMMAND]): registers the tests of a GoogleTest program; those that FILTER
+# matches run once. VCAN: one after the other, because they share the interface. COMMAND: they start rsi-sil. With sanitizers a program runs whole, in two halves:
 # AddressSanitizer makes the start of a process take longer than most tests.
 function(add_gtest_program program)
-    cmake_parse_arguments(PARSE_ARGV 1 tests "VCAN" "ONCE" "")
+    cmake_parse_arguments(PARSE_ARGV 1 tests "VCAN;COMMAND" "ONCE" "")
     folder_group(group)
     if(RSI_SANITIZERS)
+        if(tests_COMMAND)
+            string(APPEND group :command)
+        endif()
         foreach(half 0 1)
             add_test(NAME ${program}.${half} COMMAND ${program} --gtest_brief=1 --gtest_filter=-${tests_ONCE})
             set_tests_properties(${program}.${half} PROPERTIES

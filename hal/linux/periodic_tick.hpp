@@ -54,8 +54,8 @@ class DurationHistogram {
 };
 
 // `Timer` has `Time now() const` and `void wait_until(Time) const`; SteadyClock is one. It must outlive the
-// tick. The deadlines are start + 1, 2, 3, ... periods, whatever happens in between: a late tick does not
-// shift later ones, and a deadline that passed together with the one after it is missed, not made up for.
+// tick. The deadlines are start + 1, 2, 3, ... periods, whatever happens in between but shift(): a
+// late tick does not shift later ones, and a deadline that passed together with the one after it is missed, not made up for.
 template <typename Timer>
 class PeriodicTick {
  public:
@@ -83,6 +83,9 @@ class PeriodicTick {
         count_up(missed_periods_, counted);
         return counted;
     }
+
+    // Moves all deadlines to come; `later` below zero: earlier.
+    void shift(Time later) noexcept { deadline_ = deadline_ + later; }
 
     // Wake-ups so far.
     std::uint64_t ticks() const noexcept { return lateness_.count(); }

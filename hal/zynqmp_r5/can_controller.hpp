@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hal/memory/frame_ring.hpp"
 #include "hal/zynqmp_r5/can_bit_timing.hpp"
 #include "hal/zynqmp_r5/can_frame_layout.hpp"
 #include "hal/zynqmp_r5/can_registers.hpp"
@@ -32,6 +33,9 @@ inline constexpr std::uint32_t most_can_polls{1000U};
 // again at an even pace. A try costs at most two waits of most_can_polls, some 0.2 ms.
 inline constexpr Time interval_of_tries = Time::from_milliseconds(100);
 
+// Frames that take_waiting() keeps: more than a cycle has on a bus that is not flooded. The FIFO keeps the rest.
+inline constexpr std::size_t most_taken{32U};
+
 // Frames still in the FIFO after this time are discarded: a warning of yesterday must not go out when the
 // bus comes back.
 inline constexpr Time oldest_unsent_frame = Time::from_milliseconds(50);
@@ -42,7 +46,8 @@ inline constexpr Time oldest_unsent_frame = Time::from_milliseconds(50);
 // many frames each of them cost.
 //
 // All identifiers share one receive FIFO, first in, first out, and the controller notes no time of arrival:
-// receive_time is that of receive(). A frame has then waited for up to one cycle, and for longer after a
+// receive_time is when receive() or take_waiting() took the frame from it. Call take_waiting() in the time
+// between two cycles. Without it a frame has waited for up to one cycle, and for longer after a
 // cycle that came late, but never for longer than the watchdog's limit (the reset empties the FIFO) or than
 // 64 frames take to arrive (the FIFO drops what comes when it is full, so what is old stays and what is new
 // is lost). Take all that waits in each cycle, so that the last frame of an identifier is the newest.
@@ -66,24 +71,16 @@ class CanController final : public CanBus {
         return standing_ == Standing::on;
     }
 
+    // Takes the frames that wait in the controller, for receive() to give out with the time of this call.
+    void take_waiting() noexcept {
+        CanFrame frame{};
+        while (taken_.size() < most_taken && take(frame) == ReceiveResult::frame) {
+            static_cast<void>(taken_.push(frame));
+        }
+    }
+
     ReceiveResult receive(CanFrame& frame) noexcept override {
-        if (!follow()) {
-            return ReceiveResult::failed;
-        }
-        for (std::size_t skipped = 0U; skipped < can::fifo_depth; ++skipped) {
-            if ((take_events() & can::event_bits::receive_fifo_not_empty) == 0U) {
-                return ReceiveResult::empty;
-            }
-            CanFrame received{};
-            if (read_frame(received)) {
-                received.receive_time = clock_.now();
-                frame = received;
-                count_up(statistics_.frames_received);
-                bus_off_schedule_.reset();
-                return ReceiveResult::frame;
-            }
-        }
-        return ReceiveResult::empty;
+        return taken_.pop(frame) ? ReceiveResult::frame : take(frame);
     }
 
     // A CAN FD frame is not possible on this controller.
@@ -167,6 +164,27 @@ class CanController final : public CanBus {
                        is_identifier_possible(settings.accepted[i].mask, false);
         }
         return possible;
+    }
+
+    // The oldest frame in the FIFO.
+    ReceiveResult take(CanFrame& frame) noexcept {
+        if (!follow()) {
+            return ReceiveResult::failed;
+        }
+        for (std::size_t skipped = 0U; skipped < can::fifo_depth; ++skipped) {
+            if ((take_events() & can::event_bits::receive_fifo_not_empty) == 0U) {
+                return ReceiveResult::empty;
+            }
+            CanFrame received{};
+            if (read_frame(received)) {
+                received.receive_time = clock_.now();
+                frame = received;
+                count_up(statistics_.frames_received);
+                bus_off_schedule_.reset();
+                return ReceiveResult::frame;
+            }
+        }
+        return ReceiveResult::empty;
     }
 
     static void write_frame(Registers registers, const CanFrame& frame) noexcept {
@@ -320,6 +338,7 @@ class CanController final : public CanBus {
     Time pending_since_{};
     Time on_again_{};
     BusOffSchedule bus_off_schedule_;
+    FrameRing<most_taken> taken_{};
 };
 
 }  // namespace rsi::hal::zynqmp_r5

@@ -41,6 +41,9 @@ class CycleTick {
         return true;
     }
 
+    // Moves all cycles to come; `later` below zero: earlier.
+    void shift(Time later) noexcept { due_ = due_ + later; }
+
     // Time from the last look until the next cycle is due; none if it was due.
     Time spare() const noexcept { return spare_; }
 

@@ -142,6 +142,10 @@ class Ecu {
             diagnosis_->step(ecu());
         }
     }
+    // How much later than usual the next cycle should begin.
+    rsi::hal::Time cycle_shift() const {
+        return calibrated_ ? calibrated_->cycle_shift() : plain_->cycle_shift();
+    }
     // An orderly end, unlike a loss of power.
     void stop() {
         if (diagnosis_) {
@@ -234,6 +238,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     rsi::hal::PeriodicTick<rsi::hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
         ecu->step(tick.wait());
+        tick.shift(ecu->cycle_shift());
         if (ecu->is_reset_requested()) {
             fmt::print("rsi-ecu: a tester resets it\n");
             ecu.emplace(bus, clock, watchdog, parameters, accesses, false);

@@ -90,6 +90,8 @@ class BenchEcu {
         diagnosis_.step(ecu_->ecu());
     }
 
+    rsi::hal::Time cycle_shift() const noexcept { return ecu_->cycle_shift(); }
+
     // A tester has asked for it and has his answer.
     bool is_reset_requested() const noexcept { return diagnosis_.is_reset_requested(); }
 
@@ -136,6 +138,7 @@ class Ecu {
             rsi::hal::zynqmp_r5::reset_now();
         }
     }
+    rsi::hal::Time cycle_shift() const noexcept { return ecu_.cycle_shift(); }
 
  private:
     BenchEcu ecu_;

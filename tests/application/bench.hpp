@@ -153,6 +153,7 @@ class Bench {
     const rsi::Inputs& inputs() const { return ecu_.inputs(); }
     const rsi::monitoring::DiagnosticMemory& diagnostic_memory() const { return ecu_.diagnostic_memory(); }
     const rsi::Outputs& outputs() const { return ecu_.outputs(); }
+    rsi::hal::Time cycle_shift() const { return ecu_.cycle_shift(); }
     int watchdog_feeds() const { return watchdog_.feeds; }
     const rsi::Validation& parameters_answer() const { return answer_; }
 

@@ -50,6 +50,18 @@ TEST_F(PeriodicTickTest, DeadlinesLieOnePeriodApartFromTheStart) {
     EXPECT_EQ(tick.missed_periods(), 0U);
 }
 
+TEST_F(PeriodicTickTest, IsShiftedForGood) {
+    tick.wait();
+    tick.shift(microseconds(100));
+    tick.wait();
+    tick.shift(microseconds(-300));
+    tick.wait();
+    tick.wait();
+    EXPECT_EQ(timer.deadlines, (std::vector<Time>{milliseconds(1010), microseconds(1'020'100), microseconds(1'029'800),
+                                                  microseconds(1'039'800)}));
+    EXPECT_EQ(tick.missed_periods(), 0U);
+}
+
 TEST_F(PeriodicTickTest, LateWakeUpsDoNotShiftLaterDeadlines) {
     timer.lateness = microseconds(700);
     for (int i = 0; i < 100; ++i) {

@@ -6,6 +6,7 @@ import pathlib
 import re
 import signal
 import socket
+import statistics
 import struct
 import subprocess
 import time
@@ -165,6 +166,24 @@ def read_log(path):
         identifier, data = frame.split("#")
         frames.append((float(stamp.strip("()")), identifier, data))
     return frames
+
+
+def reactions_ms(frames):
+    """From the last sensor frame to the warning frame that follows it, once per group of sensor frames."""
+    reactions, last_sensor = [], None
+    for time, identifier, _ in frames:
+        if identifier in SENSOR_IDENTIFIERS:
+            last_sensor = time
+        elif identifier == WARNING_IDENTIFIER and last_sensor is not None:
+            reactions.append(1000.0 * (time - last_sensor))
+            last_sensor = None
+    return reactions
+
+
+def median_reaction_ms(frames):
+    """In the second half of a log: in the first, the ECU's cycle moves behind the frames."""
+    reactions = reactions_ms(frames)
+    return statistics.median(reactions[len(reactions) // 2:])
 
 
 def state_of(data):

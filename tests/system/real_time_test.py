@@ -62,17 +62,6 @@ class Run:
     def states_without_sensors(self):
         return self.states(lambda time: time > self.last_sensor_time)
 
-    def reactions_ms(self):
-        """From the last sensor frame to the warning frame that follows it, once per group of sensor frames."""
-        reactions, last_sensor = [], None
-        for time, identifier, _ in self.frames:
-            if identifier in programs.SENSOR_IDENTIFIERS:
-                last_sensor = time
-            elif identifier == programs.WARNING_IDENTIFIER and last_sensor is not None:
-                reactions.append(1000.0 * (time - last_sensor))
-                last_sensor = None
-        return reactions
-
 
 class RealTime(unittest.TestCase):
     """One run that all tests look at: the first that is whole, and those before it, which their ECU's watchdog ended."""
@@ -134,7 +123,7 @@ class RealTime(unittest.TestCase):
         self.assertEqual(finished.returncode, 0, finished.stderr)
         self.assertIn(f"{len(self.run_.warnings)} in", finished.stdout)
         line = next(line for line in finished.stdout.splitlines() if "sensor frame to warning frame" in line)
-        self.assertIn(f"largest {max(self.run_.reactions_ms()):.3f} ms", line)
+        self.assertIn(f"largest {max(programs.reactions_ms(self.run_.frames)):.3f} ms", line)
         print(finished.stdout)
 
 

@@ -56,7 +56,7 @@ constexpr hal::zynqmp_r5::CanSettings unfiltered_can_settings() {
 }
 
 // `Bus` is what the application sees of the controller: a WarningRecorder, or a hal::CanBus that is made like
-// one. `Ecu` is started and stepped as a RolloverEcu is.
+// one. `Ecu` is started and stepped as a RolloverEcu is, and shifts the cycle as one.
 template <typename Bus, typename Ecu = application::RolloverEcu>
 class EcuImage {
  public:
@@ -73,7 +73,9 @@ class EcuImage {
             std::uint32_t missed = 0U;
             if (tick.is_due(missed)) {
                 ecu_.step(missed);
+                tick.shift(ecu_.cycle_shift());
             }
+            controller_.take_waiting();
             Policy::wait(tick.spare());
         }
     }

@@ -57,7 +57,7 @@ constexpr std::array ecu_members{
     Member{"load keeper", sizeof(rsi::application::LoadKeeper) - sizeof(void*), alignof(std::uint32_t)},
     member<rsi::Inputs>("inputs"),
     member<rsi::Outputs>("outputs"),
-    member<std::array<std::uint32_t, 6>>("health")};
+    member<std::array<std::uint32_t, 8>>("health")};
 
 constexpr std::size_t after(std::size_t end, const Member& next) {
     return (end + next.alignment - 1U) / next.alignment * next.alignment;

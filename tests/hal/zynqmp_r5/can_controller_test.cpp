@@ -189,6 +189,39 @@ TEST_F(CanControllerTest, ReceivesWhatTheFiltersLetThroughInItsOrderWithTheTimeO
     EXPECT_EQ(device.writes, (std::vector<Write>{{0xFF06'0024U, 1U << 7U}, {0xFF06'0024U, 1U << 7U}}));
 }
 
+TEST_F(CanControllerTest, GivesTheTimeAtWhichAFrameWasTakenFromTheController) {
+    open();
+    device.arrive(words_of(0x120U));
+    pass(2);
+    controller.take_waiting();
+    device.arrive(words_of(0x122U));
+    pass(3);
+    ASSERT_EQ(controller.receive(frame), ReceiveResult::frame);
+    EXPECT_EQ(frame.identifier, 0x120U);
+    EXPECT_EQ(frame.receive_time, Time::from_milliseconds(3));
+    ASSERT_EQ(controller.receive(frame), ReceiveResult::frame);
+    EXPECT_EQ(frame.identifier, 0x122U);
+    EXPECT_EQ(frame.receive_time, Time::from_milliseconds(6));
+    EXPECT_EQ(controller.receive(frame), ReceiveResult::empty);
+    EXPECT_EQ(controller.statistics().frames_received, 2U);
+}
+
+TEST_F(CanControllerTest, LeavesInTheFifoWhatItCannotTake) {
+    open();
+    for (std::size_t i = 0U; i < can::fifo_depth; ++i) {
+        device.arrive(words_of(0x120U));
+    }
+    controller.take_waiting();
+    controller.take_waiting();
+    EXPECT_EQ(controller.statistics().frames_received, most_taken);
+    std::size_t received = 0U;
+    while (controller.receive(frame) == ReceiveResult::frame) {
+        ++received;
+    }
+    EXPECT_EQ(received, can::fifo_depth);
+    EXPECT_EQ(controller.statistics().frames_lost, 0U);
+}
+
 TEST_F(CanControllerTest, RemoteFramesAreSkipped) {
     ASSERT_TRUE(controller.open());
     pass(1);

@@ -124,6 +124,16 @@ TEST_F(CycleTickTest, ComesEveryTenMillisecondsOnAFixedGrid) {
     }
 }
 
+TEST_F(CycleTickTest, IsShiftedForGood) {
+    wait();
+    tick->shift(Time{-300'000});
+    wait();
+    EXPECT_NEAR(static_cast<double>(clock.now().nanoseconds), 19'700'000.0, 10'240.0);
+    wait();
+    EXPECT_EQ(missed, 0U);
+    EXPECT_NEAR(static_cast<double>(clock.now().nanoseconds), 29'700'000.0, 10'240.0);
+}
+
 TEST_F(CycleTickTest, CountsWhatWasMissedAndGoesOnOnTheGrid) {
     wait();
     device.advance(3'500U);  // 35.84 ms: the next three are over

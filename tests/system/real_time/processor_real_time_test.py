@@ -105,6 +105,11 @@ class RealTime(unittest.TestCase):
         )
         self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=TOLERANCE_S)
 
+    def test_the_image_reacts_within_two_milliseconds_as_a_rule(self):
+        reaction_ms = programs.median_reaction_ms(self.drive.during)
+        print(f"median from sensor frame to warning frame {reaction_ms:.2f} ms")
+        self.assertLessEqual(reaction_ms, 2.0)
+
     def test_no_frame_is_lost(self):
         for identifier in processor.ECU_IDENTIFIERS:
             counters = [int(data[3], 16) for _, name, data in self.drive.frames if name == identifier]

@@ -41,6 +41,9 @@ class CalibratedEcu {
         }
     }
 
+    // As RolloverEcu's.
+    hal::Time cycle_shift() const noexcept { return ecu_.cycle_shift(); }
+
     const xcp::Slave& slave() const noexcept { return slave_; }
 
  private:

@@ -80,9 +80,11 @@ class FrameMonitor {
     bool received() const noexcept { return received_; }
 
     bool is_fresh(hal::Time now) const noexcept {
-        const hal::Time age = now - latest_time_;
-        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < youngest_frame_age);
+        return received_ && !withdrawn_ && !(frame_time_limit < age(now)) && !(age(now) < youngest_frame_age);
     }
+
+    // Time since the last usable frame; only meaningful once one was received.
+    hal::Time age(hal::Time now) const noexcept { return now - latest_time_; }
 
     // The last usable values; only meaningful while is_fresh().
     const can_dbc::Decoded<Message>& latest() const noexcept { return latest_; }

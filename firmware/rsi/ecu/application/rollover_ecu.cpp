@@ -93,6 +93,7 @@ void RolloverEcu::restore_load() noexcept {
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     reception_.receive(bus_, missed_cycles);
     const hal::Time now = clock_.now();
+    cycle_shift_ = CyclePhase::shift(reception_.imu_age(now));
     Health report = health(now, missed_cycles);
     const rsi::Inputs inputs = reception_.inputs(report.reception);
     hal::count_up(cycles_);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "rsi/component.hpp"
+#include "rsi/ecu/application/cycle_phase.hpp"
 #include "rsi/ecu/application/load_keeper.hpp"
 #include "rsi/ecu/application/parameter_section.hpp"
 #include "rsi/ecu/application/section_authority.hpp"
@@ -81,6 +82,11 @@ class RolloverEcu {
     // cycle: a fault that persists ends in a watchdog reset, and until then the state is "unavailable".
     void step(std::uint32_t missed_cycles) noexcept;
 
+    // After step(): how much later than 10 ms after this cycle the next one should begin, within +-0.1 ms;
+    // earlier if negative. A platform that follows it takes up the IMU's frames 1 ms after they came, one that
+    // does not, up to 10 ms.
+    hal::Time cycle_shift() const noexcept { return cycle_shift_; }
+
     // Outputs and qualified inputs of the last cycle, for diagnosis, measurement and recording.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
@@ -121,6 +127,7 @@ class RolloverEcu {
     bool is_sending_{true};
     Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
+    hal::Time cycle_shift_{};
     std::uint32_t cycles_{0U};  // since the start
     std::uint32_t cycle_overruns_{0U};
     // Values of BusStatistics in the last cycle, to detect an increase.

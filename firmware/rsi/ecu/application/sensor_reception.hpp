@@ -66,6 +66,9 @@ class SensorReception {
 
     ReceptionReport report(hal::Time now) const noexcept;
 
+    // Time since the newest usable frame of the IMU; before the first one it is of no meaning.
+    hal::Time imu_age(hal::Time now) const noexcept { return imu_.age(now); }
+
     // Latest values in SI units; NaN if the frame is not fresh according to `report`, or the signal not
     // valid.
     rsi::Inputs inputs(const ReceptionReport& report) const noexcept;
