@@ -55,7 +55,8 @@ class DurationHistogram {
 
 // `Timer` has `Time now() const` and `void wait_until(Time) const`; SteadyClock is one. It must outlive the
 // tick. The deadlines are start + 1, 2, 3, ... periods, whatever happens in between but shift(): a
-// late tick does not shift later ones, and a deadline that passed together with the one after it is missed, not made up for.
+// late tick does not shift later ones, and a deadline that passed together with the one after it is missed,
+// not made up for.
 template <typename Timer>
 class PeriodicTick {
  public:

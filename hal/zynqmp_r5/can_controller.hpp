@@ -33,7 +33,8 @@ inline constexpr std::uint32_t most_can_polls{1000U};
 // again at an even pace. A try costs at most two waits of most_can_polls, some 0.2 ms.
 inline constexpr Time interval_of_tries = Time::from_milliseconds(100);
 
-// Frames that take_waiting() keeps: more than a cycle has on a bus that is not flooded. The FIFO keeps the rest.
+// Frames that take_waiting() keeps: more than a cycle has on a bus that is not flooded. The FIFO keeps the
+// rest.
 inline constexpr std::size_t most_taken{32U};
 
 // Frames still in the FIFO after this time are discarded: a warning of yesterday must not go out when the

@@ -41,7 +41,8 @@ struct TwoClocks {
         return newest_ns_;
     }
 
-    // Runs cycles, and gives how long the last one's newest frame had waited, in ms. Each period is within its bound.
+    // Runs cycles, and gives how long the last one's newest frame had waited, in ms. Each period is within
+    // its bound.
     double wait_ms_after(int cycles) {
         next_ns_ = offset_ns + delay_ns();
         std::int64_t waited_ns = 0;
@@ -116,11 +117,12 @@ TEST(CyclePhase, OtherRatesDoNoHarm) {
         TwoClocks clocks;
         clocks.imu_period_ns = imu_period_ns;
         clocks.wait_ms_after(1000);
-        EXPECT_NEAR(clocks.now_ms(), in_ms(1001 * period_ns), in_ms(1000 * largest_shift_ns)) << imu_period_ns;
+        EXPECT_NEAR(clocks.now_ms(), in_ms(1001 * period_ns), in_ms(1000 * largest_shift_ns))
+            << imu_period_ns;
     }
 }
 
-// Of the ECU itself, whose cycles come `delay_us` after the frames.
+// The ECU's own, with cycles that come `delay_us` after the frames.
 std::int64_t shift_of_the_ecu_ns(std::int64_t delay_us, const std::function<void(Bench&)>& change = {}) {
     Bench bench{large_suv(), Time{delay_us * 1000}};
     bench.run_until_ready();
@@ -143,10 +145,11 @@ TEST(TheEcu, KeepsItsPeriodWithoutTheImu) {
 }
 
 TEST(TheEcu, DoesNotFollowAnotherSensor) {
-    EXPECT_EQ(shift_of_the_ecu_ns(4000, [](Bench& bench) {
-                  bench.stop(Sensor::roll_angle);
-                  bench.stop(Sensor::vehicle_motion);
-              }),
+    EXPECT_EQ(shift_of_the_ecu_ns(4000,
+                                  [](Bench& bench) {
+                                      bench.stop(Sensor::roll_angle);
+                                      bench.stop(Sensor::vehicle_motion);
+                                  }),
               -largest_shift_ns);
 }
 

@@ -57,8 +57,8 @@ TEST_F(PeriodicTickTest, IsShiftedForGood) {
     tick.shift(microseconds(-300));
     tick.wait();
     tick.wait();
-    EXPECT_EQ(timer.deadlines, (std::vector<Time>{milliseconds(1010), microseconds(1'020'100), microseconds(1'029'800),
-                                                  microseconds(1'039'800)}));
+    EXPECT_EQ(timer.deadlines, (std::vector<Time>{milliseconds(1010), microseconds(1'020'100),
+                                                  microseconds(1'029'800), microseconds(1'039'800)}));
     EXPECT_EQ(tick.missed_periods(), 0U);
 }
 

@@ -83,8 +83,8 @@ class RolloverEcu {
     void step(std::uint32_t missed_cycles) noexcept;
 
     // After step(): how much later than 10 ms after this cycle the next one should begin, within +-0.1 ms;
-    // earlier if negative. A platform that follows it takes up the IMU's frames 1 ms after they came, one that
-    // does not, up to 10 ms.
+    // earlier if negative. A platform that follows it takes up the IMU's frames 1 ms after they came, one
+    // that does not, up to 10 ms.
     hal::Time cycle_shift() const noexcept { return cycle_shift_; }
 
     // Outputs and qualified inputs of the last cycle, for diagnosis, measurement and recording.
