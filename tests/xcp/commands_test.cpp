@@ -69,6 +69,13 @@ TEST(Slave, LeavesTheEcusFramesAlone) {
 }
 
 // Each in turn, in one session.
+// The frames come together with the cycle, which should be a little behind them.
+TEST(Slave, LeavesTheCycleToTheFramesOfTheImu) {
+    Bench bench;
+    bench.cycle();
+    EXPECT_EQ(bench.ecu().cycle_shift(), rsi::application::CyclePhase::largest_shift);
+}
+
 TEST(Slave, AnswersByTheBook) {
     Bench bench;
     bench.connect_and_unlock();
