@@ -17,8 +17,6 @@ target_compile_options(rsi_options_host INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>  # clang means double{x} too, where it is wanted
     $<$<BOOL:${RSI_WARNINGS_AS_ERRORS}>:-Werror>
     -ffp-contract=off -fno-math-errno)
-# A wrong index ends a program on a host with a line that names it; the firmware, which must not end, has no such check.
-target_compile_definitions(rsi_options_host INTERFACE _GLIBCXX_ASSERTIONS)
 if(RSI_SANITIZERS)
     target_compile_options(rsi_options_host INTERFACE
         -fsanitize=${RSI_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer
