@@ -133,18 +133,18 @@ std::int64_t shift_of_the_ecu_ns(std::int64_t delay_us, const std::function<void
     return bench.cycle_shift().nanoseconds;
 }
 
-TEST(TheEcu, AsksForACycleOneMillisecondBehindTheImu) {
+TEST(CycleOfTheEcu, ComesOneMillisecondBehindTheImu) {
     EXPECT_EQ(shift_of_the_ecu_ns(1000), 0);
     EXPECT_EQ(shift_of_the_ecu_ns(1080), -10'000);
     EXPECT_EQ(shift_of_the_ecu_ns(4000), -largest_shift_ns);
     EXPECT_EQ(shift_of_the_ecu_ns(8000), largest_shift_ns);
 }
 
-TEST(TheEcu, KeepsItsPeriodWithoutTheImu) {
+TEST(CycleOfTheEcu, KeepsItsPeriodWithoutTheImu) {
     EXPECT_EQ(shift_of_the_ecu_ns(4000, [](Bench& bench) { bench.stop(Sensor::imu); }), 0);
 }
 
-TEST(TheEcu, DoesNotFollowAnotherSensor) {
+TEST(CycleOfTheEcu, DoesNotFollowAnotherSensor) {
     EXPECT_EQ(shift_of_the_ecu_ns(4000,
                                   [](Bench& bench) {
                                       bench.stop(Sensor::roll_angle);
@@ -153,7 +153,7 @@ TEST(TheEcu, DoesNotFollowAnotherSensor) {
               -largest_shift_ns);
 }
 
-TEST(TheEcu, DoesNotFollowDamagedFrames) {
+TEST(CycleOfTheEcu, DoesNotFollowDamagedFrames) {
     EXPECT_EQ(shift_of_the_ecu_ns(4000,
                                   [](Bench& bench) {
                                       bench.tamper(Sensor::imu, [](rsi::hal::CanFrame& frame) {
