@@ -105,12 +105,12 @@ class RealTime(unittest.TestCase):
         )
         self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=TOLERANCE_S)
 
-    def test_the_image_reacts_within_four_milliseconds_as_a_rule(self):
-        # The cycle comes 1 ms behind the IMU's frames. An emulator in an emulator takes more than another millisecond to
-        # notice them and to compute a cycle.
+    def test_the_image_reacts_within_half_a_cycle_as_a_rule(self):
+        # The cycle comes 1 ms behind the IMU's frames. An emulator in an emulator takes 1 to 3 ms more to notice them and
+        # to compute a cycle.
         reaction_ms = programs.median_reaction_ms(self.drive.during)
         print(f"median from sensor frame to warning frame {reaction_ms:.2f} ms")
-        self.assertLessEqual(reaction_ms, 4.0)
+        self.assertLessEqual(reaction_ms, 5.0)
 
     def test_no_frame_is_lost(self):
         for identifier in processor.ECU_IDENTIFIERS:
