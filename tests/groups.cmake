@@ -35,8 +35,9 @@ function(label_tests)
 endfunction()
 
 # add_gtest_program(PROGRAM [ONCE FILTER] [VCAN] [COMMAND]): registers the tests of a GoogleTest program; those that FILTER
-# matches run once. VCAN: one after the other, because they share the interface. COMMAND: they start rsi-sil. With sanitizers a program runs whole, in two halves:
-# AddressSanitizer makes the start of a process take longer than most tests.
+# matches run once. VCAN: one after the other, because they share the interface. COMMAND: they start rsi-sil. With
+# sanitizers a program runs whole, in two halves: AddressSanitizer makes the start of a process take longer than most
+# tests.
 function(add_gtest_program program)
     cmake_parse_arguments(PARSE_ARGV 1 tests "VCAN;COMMAND" "ONCE" "")
     folder_group(group)

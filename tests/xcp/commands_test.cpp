@@ -68,7 +68,6 @@ TEST(Slave, LeavesTheEcusFramesAlone) {
     EXPECT_EQ(bench.others.front().identifier, rsi::can_dbc::RolloverWarning::identifier);
 }
 
-// Each in turn, in one session.
 // The frames come together with the cycle, which should be a little behind them.
 TEST(Slave, LeavesTheCycleToTheFramesOfTheImu) {
     Bench bench;
@@ -76,6 +75,7 @@ TEST(Slave, LeavesTheCycleToTheFramesOfTheImu) {
     EXPECT_EQ(bench.ecu().cycle_shift(), rsi::application::CyclePhase::largest_shift);
 }
 
+// Each in turn, in one session.
 TEST(Slave, AnswersByTheBook) {
     Bench bench;
     bench.connect_and_unlock();
