@@ -102,7 +102,7 @@ def call(file, cursor):
             first, second = file.source.text_of(left), file.source.text_of(right)
             mutant = file.new(cursor, "relation", file.source.text_of(cursor), f"{first} <= {second}",
                               f"{first} >= {second}")
-            file.source.wrap(cursor, f"::mutation::class_less<{mutant}>(")
+            file.source.wrap(cursor, f"::mutation::compare<{mutant}, ::mutation::Relation::less>(")
             file.source.replace(found[0], found[1], ",")
     return True
 

@@ -127,7 +127,9 @@ enum class Relation { less, less_equal, greater, greater_equal, equal, unequal }
 // First mutant of the ordering ones: the bound changes sides; second: the opposite, which for NaN is true.
 template <int site, Relation relation, typename A, typename B>
 constexpr bool compare(const A& a, const B& b) {
-    if constexpr (relation == Relation::less) {
+    if constexpr ((relation == Relation::less) && std::is_class_v<A>) {  // which may have no operator but <
+        return either<site + 1>(either<site>(a < b, !(b < a)), !(a < b));
+    } else if constexpr (relation == Relation::less) {
         return either<site + 1>(either<site>(a < b, a <= b), !(a < b));
     } else if constexpr (relation == Relation::less_equal) {
         return either<site + 1>(either<site>(a <= b, a < b), !(a <= b));
@@ -140,12 +142,6 @@ constexpr bool compare(const A& a, const B& b) {
     } else {
         return either<site>(a != b, !(a != b));
     }
-}
-
-// The same for a class that has no operator but <.
-template <int site, typename A>
-constexpr bool class_less(const A& a, const A& b) {
-    return either<site + 1>(either<site>(a < b, !(b < a)), !(a < b));
 }
 
 template <int site, typename T>
