@@ -175,6 +175,9 @@ constexpr T integer(T value) {
 
 template <int site, typename T>
 constexpr T real(T value) {
+    if (__builtin_is_constant_evaluated()) {
+        return value;
+    }
     const T step = (value == T{}) ? T{1} : value / T{10};
     return either<site + 1>(either<site>(value, value + step), value - step);
 }
