@@ -1,5 +1,6 @@
 #include "rsi/estimation/consider_kalman.hpp"
 
+#include "rsi/measurement/plausible_motion.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 #include "rsi/numeric/square.hpp"
@@ -121,7 +122,7 @@ void ConsiderKalman::pass_time(const Constants& constants, const RollEquation& e
 
 // A speed that is not available does not hold.
 bool ConsiderKalman::changes_speed(float speed_mps) {
-    if (!is_within(speed_mps, 0.0F, 150.0F)) {
+    if (!is_within(speed_mps, 0.0F, largest_plausible_speed_mps)) {
         speed_known_ = false;
         return false;
     }

@@ -1,15 +1,14 @@
 #include "rsi/measurement/measurement.hpp"
 
+#include "rsi/measurement/plausible_motion.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
 namespace rsi {
 namespace {
 
 constexpr float largest_force_mps2 = 60.0F;
-constexpr float largest_rate_radps = 10.0F;
 constexpr float largest_roll_angle_rad = 2.2F;
 constexpr float largest_bank_angle_rad = 0.8F;
-constexpr float largest_speed_mps = 150.0F;
 
 // A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
@@ -20,7 +19,7 @@ bool within(float value, float limit) {
 
 bool necessary_inputs_available(const Inputs& inputs) {
     return within(inputs.lateral_specific_force_mps2, largest_force_mps2) &&
-           within(inputs.roll_rate_radps, largest_rate_radps);
+           within(inputs.roll_rate_radps, largest_plausible_rate_radps);
 }
 
 // Bank of the road; flat if the angle is not available.
@@ -146,7 +145,7 @@ float MeasurementStage::sensed_roll_rad(bool against_horizon, const Inputs& inpu
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
 void MeasurementStage::observe(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
                                bool yaw_known, const BodyForces& at_cg, Measurement& measurement) {
-    const bool motion_known = yaw_known && within(inputs.speed_mps, largest_speed_mps);
+    const bool motion_known = yaw_known && within(inputs.speed_mps, largest_plausible_speed_mps);
     run_observer(constants, inputs, learnt, motion_known, at_cg);
     const float sensed_rad = sensed_roll_rad(constants.against_horizon, inputs);
     const bool sensor_available = is_finite(sensed_rad);
@@ -181,7 +180,7 @@ bool MeasurementStage::update(const Constants& constants, const Inputs& inputs, 
         reset();
         return false;
     }
-    const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
+    const bool yaw_known = within(inputs.yaw_rate_radps, largest_plausible_rate_radps);
     const BodyForces at_cg = carry_to_cg(constants, inputs, yaw_known);
     observe(constants, inputs, learnt, yaw_known, at_cg, measurement);
     if (measurement.roll_source == RSI_ROLL_NONE) {

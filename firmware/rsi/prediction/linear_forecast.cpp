@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "rsi/measurement/plausible_motion.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/two_lags.hpp"
 #include "rsi/prediction/forecast_weights.hpp"
@@ -19,8 +20,6 @@ constexpr std::array<float, 3> weights_of_lags{lag_weight(0.02F), lag_weight(0.0
 constexpr float largest_forecast_force_mps2 = 20.0F;
 // Bounds the yaw rate, so that a wrong one cannot outweigh the force.
 constexpr float largest_yaw_difference_mps2 = 4.0F;
-constexpr float largest_forecast_yaw_rate_radps = 10.0F;
-constexpr float largest_forecast_speed_mps = 150.0F;
 
 }  // namespace
 
@@ -28,8 +27,8 @@ float LinearForecast::update(const Vehicle& vehicle, const Inputs& inputs, const
                              const DemandedForce& demand) {
     const LoadedBody& loaded = vehicle.loaded;
     const float A = measured.road_parallel_force_mps2;
-    const bool yaw_is_known = is_within_magnitude(inputs.yaw_rate_radps, largest_forecast_yaw_rate_radps) &&
-                              is_within_magnitude(inputs.speed_mps, largest_forecast_speed_mps);
+    const bool yaw_is_known = is_within_magnitude(inputs.yaw_rate_radps, largest_plausible_rate_radps) &&
+                              is_within_magnitude(inputs.speed_mps, largest_plausible_speed_mps);
     const float yawed_mps2 = yaw_is_known ? inputs.yaw_rate_radps * inputs.speed_mps : A;
     const float beyond_force_mps2 = clamp_magnitude(yawed_mps2 - A, largest_yaw_difference_mps2);
 

@@ -1,11 +1,11 @@
 #include "rsi/prediction/steering_demand.hpp"
 
+#include "rsi/measurement/plausible_motion.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
 namespace {
 
-constexpr float largest_steered_speed_mps = 150.0F;
 constexpr float largest_steering_wheel_angle_rad = 30.0F;
 constexpr float largest_demand_mps2 = 60.0F;
 
@@ -17,7 +17,7 @@ SteeringDemand::SteeringDemand(const Parameters& parameters)
       largest_mps2_(parameters.largest_lateral_acceleration_mps2) {}
 
 DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& measured) const {
-    if (!is_within_magnitude(inputs.speed_mps, largest_steered_speed_mps) ||
+    if (!is_within_magnitude(inputs.speed_mps, largest_plausible_speed_mps) ||
         !is_within_magnitude(inputs.steering_wheel_angle_rad, largest_steering_wheel_angle_rad)) {
         return DemandedForce{};
     }
