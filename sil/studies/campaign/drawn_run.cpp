@@ -7,6 +7,7 @@
 #include "rsi/model/vehicle_lengths.hpp"
 #include "sil/files/parameter_field.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
+#include "sil/slow_turn.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
@@ -34,10 +35,10 @@ struct SlowTurn {
 
 SlowTurn at_threshold(const rsi::Parameters& calibration) {
     const double angle_rad = static_cast<double>(rsi::critical_roll_angle_rad(calibration));
-    const double arm_m = static_cast<double>(rsi::roll_arm_m(calibration));
-    return {angle_rad,
-            g_mps2 * (0.5 * static_cast<double>(calibration.track_width_m) - arm_m * std::tan(angle_rad)) /
-                static_cast<double>(calibration.sprung_cg_height_m)};
+    const RollLengths lengths{static_cast<double>(calibration.track_width_m),
+                              static_cast<double>(calibration.sprung_cg_height_m),
+                              static_cast<double>(rsi::roll_arm_m(calibration))};
+    return {angle_rad, acceleration_at_threshold_mps2(lengths, angle_rad)};
 }
 
 // A wrong height or stiffness makes wrong references of the rollover index.

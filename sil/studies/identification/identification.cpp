@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -212,8 +211,7 @@ void add_rollover_index(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
     const RollFit& roll = result.roll;
     const double angle = rollover_angle_rad(vehicle, roll);
-    const double acceleration =
-        g_mps2 * (0.5 * vehicle.track_width_m - roll.arm_m * std::tan(angle)) / vehicle.sprung_cg_height_m;
+    const double acceleration = acceleration_at_threshold_mps2(roll_lengths(vehicle, roll), angle);
     result.values.push_back(
         {"rollover_index_roll_angle_rad", angle, "roll angle at the threshold in a slow turn"});
     result.values.push_back({"rollover_index_acceleration_mps2", acceleration,

@@ -291,14 +291,18 @@ double usual_roll_inertia_kgm2(const VehicleData& vehicle) {
     return vehicle.sprung_mass_kg * radius_m * radius_m;
 }
 
-// M(phi) = m_s H g [T(phi) + tan phi], T(phi) = (c_w/2 - H tan phi)/h; the left side rises faster.
+RollLengths roll_lengths(const VehicleData& vehicle, const RollFit& fit) {
+    return {vehicle.track_width_m, vehicle.sprung_cg_height_m, fit.arm_m};
+}
+
+// M(phi) = m_s H g [T(phi) + tan phi]; the left side rises faster.
 double rollover_angle_rad(const VehicleData& vehicle, const RollFit& fit) {
     const double weight_moment_nm = vehicle.sprung_mass_kg * fit.arm_m * g_mps2;
+    const RollLengths lengths = roll_lengths(vehicle, fit);
     return last_where(
         [&](double phi) {
-            const double threshold =
-                (0.5 * vehicle.track_width_m - fit.arm_m * std::tan(phi)) / vehicle.sprung_cg_height_m;
-            return fit.moment_nm(phi) < weight_moment_nm * (threshold + std::tan(phi));
+            return fit.moment_nm(phi) <
+                   weight_moment_nm * (threshold_in_slow_turn(lengths, phi) + std::tan(phi));
         },
         0.0, 0.6);
 }

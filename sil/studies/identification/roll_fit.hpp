@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sil/slow_turn.hpp"
 #include "sil/studies/identification/prepared_drive.hpp"
 
 namespace sil {
@@ -72,6 +73,8 @@ RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vect
 
 // The rule of thumb for Ixx of the sprung mass: radius of gyration 0.42 c_w.
 double usual_roll_inertia_kgm2(const VehicleData& vehicle);
+
+RollLengths roll_lengths(const VehicleData& vehicle, const RollFit& fit);
 
 // Roll angle at which the inner wheels have lost their load in a slow turn, (28) with the curve.
 double rollover_angle_rad(const VehicleData& vehicle, const RollFit& fit);
