@@ -112,74 +112,92 @@ void fit_body(Identification& result, double usual_arm_m) {
     }
 }
 
+// Values from the drives must bear a later correction; the vehicle data were checked as given.
+IdentifiedValue correctable(IdentifiedValue value) {
+    const auto field =
+        std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
+                     [&value](const rsi::ParameterField& each) { return value.key == each.name; });
+    if (field == rsi::parameter_fields.end() || value.origin == vehicle_data_origin) {
+        return value;
+    }
+    const double admitted = within_admitted(field->member, value.value);
+    if (admitted != value.value) {
+        value.refused = value.value;
+        value.origin = fmt::format("{:.4g} is {}", value.value, outside_admitted);
+        value.value = admitted;
+    }
+    return value;
+}
+
+// At once, so that what depends on the value takes the one that is written.
+void add(Identification& result, IdentifiedValue value) {
+    result.values.push_back(correctable(std::move(value)));
+}
+
 std::string fitted(const Estimate& estimate, const char* format) {
     return fmt::format("fitted, +-{}", fmt::format(fmt::runtime(format), estimate.deviation));
 }
 
 void add_vehicle(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
-    auto& values = result.values;
-    values.push_back({"sprung_mass_kg", vehicle.sprung_mass_kg, vehicle_data_origin});
-    values.push_back({"sprung_cg_height_m", vehicle.sprung_cg_height_m, result.cg_height_origin});
-    values.push_back({"track_width_m", vehicle.track_width_m, vehicle_data_origin});
-    values.push_back({"unsprung_mass_kg", vehicle.unsprung_mass_kg, vehicle_data_origin});
-    values.push_back({"unsprung_cg_height_m", vehicle.unsprung_cg_height_m, vehicle_data_origin});
-    values.push_back({"wheelbase_m", vehicle.wheelbase_m, vehicle_data_origin});
-    values.push_back({"imu_x_m", vehicle.imu_x_m, vehicle_data_origin});
-    values.push_back({"imu_y_m", vehicle.imu_y_m, vehicle_data_origin});
-    values.push_back({"imu_z_m", vehicle.imu_z_m, vehicle_data_origin});
+    add(result, {"sprung_mass_kg", vehicle.sprung_mass_kg, vehicle_data_origin});
+    add(result, {"sprung_cg_height_m", vehicle.sprung_cg_height_m, result.cg_height_origin});
+    add(result, {"track_width_m", vehicle.track_width_m, vehicle_data_origin});
+    add(result, {"unsprung_mass_kg", vehicle.unsprung_mass_kg, vehicle_data_origin});
+    add(result, {"unsprung_cg_height_m", vehicle.unsprung_cg_height_m, vehicle_data_origin});
+    add(result, {"wheelbase_m", vehicle.wheelbase_m, vehicle_data_origin});
+    add(result, {"imu_x_m", vehicle.imu_x_m, vehicle_data_origin});
+    add(result, {"imu_y_m", vehicle.imu_y_m, vehicle_data_origin});
+    add(result, {"imu_z_m", vehicle.imu_z_m, vehicle_data_origin});
     if (vehicle.roll_angle_reference) {
         const bool horizon = *vehicle.roll_angle_reference == RollReference::horizon;
-        values.push_back({"roll_angle_reference",
-                          static_cast<double>(horizon ? RSI_ROLL_AGAINST_HORIZON : RSI_ROLL_AGAINST_ROAD),
-                          vehicle_data_origin});
+        add(result, {"roll_angle_reference",
+                     static_cast<double>(horizon ? RSI_ROLL_AGAINST_HORIZON : RSI_ROLL_AGAINST_ROAD),
+                     vehicle_data_origin});
     }
 }
 
 void add_roll(Identification& result) {
     const RollFit& roll = result.roll;
-    auto& values = result.values;
-    values.push_back(
-        {"roll_inertia_kgm2", roll.inertia_kgm2.value,
-         roll.refused_inertia_kgm2
-             ? fmt::format("{}: the drives alone would give {:.0f}",
-                           result.vehicle.roll_inertia_kgm2 ? vehicle_data_origin : "rule of thumb",
-                           *roll.refused_inertia_kgm2)
-             : fitted(roll.inertia_kgm2, "{:.0f}")});
-    values.push_back({"fixed_roll_centre_height_m", result.roll_centre_height_m, result.roll_centre_origin});
-    values.push_back(
+    add(result, {"roll_inertia_kgm2", roll.inertia_kgm2.value,
+                 roll.refused_inertia_kgm2
+                     ? fmt::format("{}: the drives alone would give {:.0f}",
+                                   result.vehicle.roll_inertia_kgm2 ? vehicle_data_origin : "rule of thumb",
+                                   *roll.refused_inertia_kgm2)
+                     : fitted(roll.inertia_kgm2, "{:.0f}")});
+    add(result, {"fixed_roll_centre_height_m", result.roll_centre_height_m, result.roll_centre_origin});
+    add(result,
         {"roll_stiffness_nmprad", roll.stiffness_nmprad.value, fitted(roll.stiffness_nmprad, "{:.0f}")});
-    const double smallest = damping_reserve * smallest_damping_time_s * roll.stiffness_nmprad.value;
+    const double smallest = damping_reserve * smallest_damping_time_s * result.value("roll_stiffness_nmprad");
     const bool too_small = roll.damping_nmsprad.value < smallest;
-    values.push_back({"roll_damping_nmsprad", std::max(roll.damping_nmsprad.value, smallest),
-                      too_small ? "the least that the component admits, and a reserve for corrections"
-                                : fitted(roll.damping_nmsprad, "{:.0f}")});
-    values.push_back({"roll_stiffness_cubic_nmprad3", roll.stiffness_cubic_nmprad3.value,
-                      fitted(roll.stiffness_cubic_nmprad3, "{:.2g}")});
-    values.push_back({"roll_stiffness_quintic_nmprad5", roll.stiffness_quintic_nmprad5.value,
-                      fitted(roll.stiffness_quintic_nmprad5, "{:.2g}")});
+    add(result, {"roll_damping_nmsprad", std::max(roll.damping_nmsprad.value, smallest),
+                 too_small ? "the least that the component admits, and a reserve for corrections"
+                           : fitted(roll.damping_nmsprad, "{:.0f}")});
+    add(result, {"roll_stiffness_cubic_nmprad3", roll.stiffness_cubic_nmprad3.value,
+                 fitted(roll.stiffness_cubic_nmprad3, "{:.2g}")});
+    add(result, {"roll_stiffness_quintic_nmprad5", roll.stiffness_quintic_nmprad5.value,
+                 fitted(roll.stiffness_quintic_nmprad5, "{:.2g}")});
 }
 
 void add_steering(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
-    auto& values = result.values;
     if (result.steering) {
         const SteeringFit& steering = *result.steering;
-        values.push_back({"steering_ratio", steering.ratio.value,
-                          steering.ratio_fitted ? fitted(steering.ratio, "{:.2f}") : vehicle_data_origin});
-        values.push_back({"understeer_gradient_s2pm", steering.understeer_gradient_s2pm.value,
-                          steering.gradient_fitted ? fitted(steering.understeer_gradient_s2pm, "{:.5f}")
-                          : vehicle.understeer_gradient_s2pm ? vehicle_data_origin
-                                                             : "ASSUMED: one speed tells only one of both"});
+        add(result, {"steering_ratio", steering.ratio.value,
+                     steering.ratio_fitted ? fitted(steering.ratio, "{:.2f}") : vehicle_data_origin});
+        add(result, {"understeer_gradient_s2pm", steering.understeer_gradient_s2pm.value,
+                     steering.gradient_fitted           ? fitted(steering.understeer_gradient_s2pm, "{:.5f}")
+                     : vehicle.understeer_gradient_s2pm ? vehicle_data_origin
+                                                        : "ASSUMED: one speed tells only one of both"});
     } else {
-        values.push_back({"steering_ratio", vehicle.steering_ratio.value_or(17.0),
-                          vehicle.steering_ratio ? vehicle_data_origin : "ASSUMED"});
-        values.push_back({"understeer_gradient_s2pm",
-                          vehicle.understeer_gradient_s2pm.value_or(usual_understeer_gradient_s2pm),
-                          vehicle.understeer_gradient_s2pm ? vehicle_data_origin : "ASSUMED"});
+        add(result, {"steering_ratio", vehicle.steering_ratio.value_or(17.0),
+                     vehicle.steering_ratio ? vehicle_data_origin : "ASSUMED"});
+        add(result, {"understeer_gradient_s2pm",
+                     vehicle.understeer_gradient_s2pm.value_or(usual_understeer_gradient_s2pm),
+                     vehicle.understeer_gradient_s2pm ? vehicle_data_origin : "ASSUMED"});
     }
     result.tyres = tyre_limit(vehicle, result.ramps, result.dynamics);
-    values.push_back({"largest_lateral_acceleration_mps2", result.tyres.largest_mps2, result.tyres.origin});
+    add(result, {"largest_lateral_acceleration_mps2", result.tyres.largest_mps2, result.tyres.origin});
 }
 
 // How the lateral force follows the steering, by the model of the values so far.
@@ -192,30 +210,39 @@ void add_response(Identification& result) {
                                        calibration_default("prediction_filter_lag_s")},
                          result.ramps, result.dynamics);
     }
-    auto& values = result.values;
     if (result.response && result.response->helps()) {
         const ResponseFit& response = *result.response;
-        values.push_back({"lateral_response_frequency_radps", response.frequency_radps,
-                          fmt::format("fitted, within a factor of {:.2f}", response.frequency_factor)});
-        values.push_back({"lateral_response_damping", response.damping,
-                          fmt::format("fitted, within a factor of {:.2f}", response.damping_factor)});
+        add(result, {"lateral_response_frequency_radps", response.frequency_radps,
+                     fmt::format("fitted, within a factor of {:.2f}", response.frequency_factor)});
+        add(result, {"lateral_response_damping", response.damping,
+                     fmt::format("fitted, within a factor of {:.2f}", response.damping_factor)});
     } else {
-        values.push_back({"lateral_response_frequency_radps", 0.0, "not known: the drives do not show it"});
-        values.push_back({"lateral_response_damping", calibration_default("lateral_response_damping"),
-                          "without meaning as long as the frequency is not known"});
+        add(result, {"lateral_response_frequency_radps", 0.0, "not known: the drives do not show it"});
+        add(result, {"lateral_response_damping", calibration_default("lateral_response_damping"),
+                     "without meaning as long as the frequency is not known"});
     }
+}
+
+// The stiffness curve and the arm of the calibration.
+RollFit written_curve(const Identification& result) {
+    RollFit roll = result.roll;
+    roll.arm_m = result.value("sprung_cg_height_m") - result.value("fixed_roll_centre_height_m");
+    roll.stiffness_nmprad.value = result.value("roll_stiffness_nmprad");
+    roll.stiffness_cubic_nmprad3.value = result.value("roll_stiffness_cubic_nmprad3");
+    roll.stiffness_quintic_nmprad5.value = result.value("roll_stiffness_quintic_nmprad5");
+    return roll;
 }
 
 // Angle at which the printed threshold is reached in a slow turn: A/N = T on the fitted curve.
 void add_rollover_index(Identification& result) {
-    const VehicleData& vehicle = result.vehicle;
-    const RollFit& roll = result.roll;
+    VehicleData vehicle = result.vehicle;
+    vehicle.sprung_cg_height_m = result.value("sprung_cg_height_m");
+    const RollFit roll = written_curve(result);
     const double angle = rollover_angle_rad(vehicle, roll);
     const double acceleration = acceleration_at_threshold_mps2(roll_lengths(vehicle, roll), angle);
-    result.values.push_back(
-        {"rollover_index_roll_angle_rad", angle, "roll angle at the threshold in a slow turn"});
-    result.values.push_back({"rollover_index_acceleration_mps2", acceleration,
-                             "lateral acceleration at the threshold in a slow turn"});
+    add(result, {"rollover_index_roll_angle_rad", angle, "roll angle at the threshold in a slow turn"});
+    add(result, {"rollover_index_acceleration_mps2", acceleration,
+                 "lateral acceleration at the threshold in a slow turn"});
 }
 
 // Values that are not written stay as in the template: fine, quiet sensors.
@@ -224,24 +251,7 @@ void add_sensors(Identification& result) {
     for (const auto& [key, value] : {std::pair{"accelerometer_noise_mps2", sensors.accelerometer_noise_mps2},
                                      std::pair{"speed_resolution_mps", sensors.speed_resolution_mps}}) {
         if (value > 0.0) {
-            result.values.push_back({key, value, "of the drives"});
-        }
-    }
-}
-
-// Values from the drives must bear a later correction; the vehicle data were checked as given.
-void keep_correctable(Identification& result) {
-    for (IdentifiedValue& value : result.values) {
-        const auto field =
-            std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
-                         [&value](const rsi::ParameterField& each) { return value.key == each.name; });
-        if (field == rsi::parameter_fields.end() || value.origin == vehicle_data_origin) {
-            continue;
-        }
-        const double admitted = within_admitted(field->member, value.value);
-        if (admitted != value.value) {
-            value.origin = fmt::format("{:.4g} is {}", value.value, outside_admitted);
-            value.value = admitted;
+            add(result, {key, value, "of the drives"});
         }
     }
 }
@@ -279,7 +289,6 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     add_rollover_index(result);
     result.sensors = sensor_quality(ramps, dynamics);
     add_sensors(result);
-    keep_correctable(result);
     result.warnings = identification_warnings(result);
     return result;
 }

@@ -22,6 +22,7 @@ struct IdentifiedValue {
     std::string key;  // of rsi_parameters
     double value;     // of a selection its place among the choices
     std::string origin;
+    std::optional<double> refused{};  // the better one, which a later correction would push out of its range
 };
 
 struct Identification {

@@ -17,6 +17,8 @@ constexpr double highest_roll_centre_share = 0.7;  // of the CG height
 // middle of the tank's curvature: some tenths of a metre higher for a third of the mass. Beyond that a datum
 // is wrong.
 constexpr double largest_cg_change = 0.15;
+// Nearer than what is said of a height, to two decimals, a roll centre is that height.
+constexpr double rounding_m = 0.005;
 // Tyres carry their load with about this deflection.
 constexpr double usual_tyre_deflection_m = 0.02;
 
@@ -131,9 +133,10 @@ std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<P
     fit.suspension_roll_centre_m = h - arm_without_tyres(vehicle, ramps);
     fit.roll_centre_height_m =
         std::clamp(fit.roll_centre_at_given_height_m, lowest_roll_centre_m, highest_roll_centre(vehicle));
-    fit.agreeing_cg_height_m = fit.roll_centre_height_m == fit.roll_centre_at_given_height_m
-                                   ? h
-                                   : matched_cg_height_m(vehicle, ramps, fit.roll_centre_height_m);
+    fit.agreeing_cg_height_m =
+        std::abs(fit.roll_centre_height_m - fit.roll_centre_at_given_height_m) <= rounding_m
+            ? h
+            : matched_cg_height_m(vehicle, ramps, fit.roll_centre_height_m);
     fit.contradicts_data = std::abs(fit.agreeing_cg_height_m / h - 1.0) > largest_cg_change;
     fit.cg_height_m = keep_cg_height || fit.contradicts_data ? h : fit.agreeing_cg_height_m;
     return fit;

@@ -30,6 +30,11 @@ struct LoadFit {
     bool contradicts_data{false};            // the CG height would have to change by more than 15 %
 };
 
+// Less than half of the last of three decimals is no height: it would be printed as a negative zero.
+inline double shown_height_m(double height_m) {
+    return height_m < 0.0 && height_m > -0.0005 ? 0.0 : height_m;
+}
+
 // Uses the ramps that have wheel loads; nothing when none has.
 std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
                                  bool keep_cg_height);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/studies/identification/admitted_range.hpp"
 #include "sil/studies/identification/identification.hpp"
 #include "sil/studies/identification/roll_reference.hpp"
 #include "sil/units.hpp"
@@ -39,6 +40,7 @@ class Warnings {
         about_roll_reference();
         about_offsets();
         about_sensors();
+        about_admitted_ranges();
         return std::move(warnings_);
     }
 
@@ -360,6 +362,18 @@ class Warnings {
             if (value.key == "accelerometer_noise_mps2" || value.key == "speed_resolution_mps") {
                 warn("the drives' sensors need {} = {:.3g}; check that these are the sensors of the vehicle",
                      value.key, value.value);
+            }
+        }
+    }
+
+    void about_admitted_ranges() {
+        for (const IdentifiedValue& value : result_.values) {
+            if (value.refused) {
+                warn(
+                    "{} would be {:.4g}, {}, {:.4g}, is written. Check the vehicle data, and the drives' "
+                    "signs "
+                    "and units",
+                    value.key, *value.refused, outside_admitted, value.value);
             }
         }
     }

@@ -111,7 +111,8 @@ std::string identification_report(const Identification& result) {
         text += fmt::format(
             "\nWheel loads in the ramp: effective h_rc {:.3f} +-{:.3f} m (for a CG height known to 1 %); "
             "without the tyres' roll, as (24) counts it, about {:.2f} m\n",
-            loads.roll_centre_at_given_height_m, loads.deviation_m, loads.suspension_roll_centre_m);
+            shown_height_m(loads.roll_centre_at_given_height_m), loads.deviation_m,
+            shown_height_m(loads.suspension_roll_centre_m));
         text += "Load transfer ratio as the component computes it, against that of the wheels\n";
         for (const DriveResidual& drive : result.load_transfer) {
             text += fmt::format("  {}: R2 {:.4f}, error {:.4f} rms, {:+.4f} mean\n", drive.name,

@@ -32,20 +32,31 @@ double largest(const std::vector<PreparedDrive>& drives) {
     return result;
 }
 
-// The steering asks for V^2 delta_sw, and a lateral acceleration comes of it. At one speed a vehicle of
-// linear tyres has one ratio of both; where speed is lost, it asks for less.
+// The driver asks for something, and a lateral acceleration comes of it.
 struct Answer {
     double asked;
     double came_mps2;
 };
 
+using Demand = double (*)(const RollSample& sample);
+
+// Linear tyres give V^2 delta / (L + K_us V^2): at one speed in proportion to either demand. Where speed is
+// lost, it falls behind the first one, where speed is gained and the vehicle understeers, behind the second.
+double by_steering(const RollSample& sample) {
+    return sample.steering_wheel_angle_rad;
+}
+
+double by_steering_and_speed(const RollSample& sample) {
+    return sample.speed_mps * sample.speed_mps * sample.steering_wheel_angle_rad;
+}
+
 // A turn to one side (1: left, -1: right) from the straight to the largest demand.
-std::vector<Answer> way_out(const PreparedDrive& ramp, double side) {
+std::vector<Answer> way_out(const PreparedDrive& ramp, double side, Demand demand) {
     std::vector<Answer> all;
     std::size_t start = 0U, first = 0U, end = 0U;
     double most = 0.0;
     for (const RollSample& sample : ramp.samples) {
-        const double asked = side * sample.speed_mps * sample.speed_mps * sample.steering_wheel_angle_rad;
+        const double asked = side * demand(sample);
         all.push_back({asked, side * sample.parallel_mps2});
         if (asked <= 0.0) {
             start = all.size();
@@ -83,9 +94,21 @@ bool stops_growing(const std::vector<Answer>& answers, double ramp_largest_mps2)
            last.slope() < stopped_slope_share * first.slope();
 }
 
+bool shows_the_limit_on(const PreparedDrive& ramp, double side) {
+    return stops_growing(way_out(ramp, side, by_steering_and_speed), ramp.largest_parallel_mps2) &&
+           stops_growing(way_out(ramp, side, by_steering), ramp.largest_parallel_mps2);
+}
+
 bool shows_the_limit(const PreparedDrive& ramp) {
-    return ramp.has_steering && (stops_growing(way_out(ramp, 1.0), ramp.largest_parallel_mps2) ||
-                                 stops_growing(way_out(ramp, -1.0), ramp.largest_parallel_mps2));
+    return ramp.has_steering && (shows_the_limit_on(ramp, 1.0) || shows_the_limit_on(ramp, -1.0));
+}
+
+// The tyres carry the whole vehicle sideways, (m_s h + m_u h_u) A against m g c_w/2. A body that leans lifts
+// its wheels below this.
+double lift_without_lean_mps2(const VehicleData& vehicle) {
+    return g_mps2 * 0.5 * vehicle.track_width_m * vehicle.total_mass_kg /
+           (vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m +
+            vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m);
 }
 
 }  // namespace
@@ -100,16 +123,16 @@ TyreLimit tyre_limit(const VehicleData& vehicle, const std::vector<PreparedDrive
     }
     const double of_ramps = open_share * largest(ramps);
     const double open = std::max(of_ramps, seen);
-    // A body that leans lifts its wheels below this.
-    const double lift_mps2 = static_stability_factor(vehicle) * g_mps2;
+    const double lift_mps2 = lift_without_lean_mps2(vehicle);
     if (open > std::max(dry_road_mps2, lift_mps2)) {
         return {open, false,
                 seen > of_ramps ? "open: 5 % above the largest seen; the ramp shows no limit"
                                 : "open: 1.4 times the ramp's largest, which shows no limit"};
     }
     return {std::max(dry_road_mps2, lift_mps2), false,
-            lift_mps2 > dry_road_mps2 ? "open: the static rollover threshold; the ramp shows no limit"
-                                      : "open: 1.1 g, a dry road; the ramp shows no limit"};
+            lift_mps2 > dry_road_mps2
+                ? "open: the whole vehicle's static rollover threshold; the ramp shows no limit"
+                : "open: 1.1 g, a dry road; the ramp shows no limit"};
 }
 
 }  // namespace sil

@@ -15,7 +15,9 @@ struct TyreLimit {
     std::string origin;    // in words
 };
 
-// Only a ramp whose lateral force stopped growing while the steering grew on shows what the tyres give. One
+// Only a ramp whose lateral force stopped growing while the steering grew on, by itself and times the speed
+// squared, shows what the tyres give: in an understeering vehicle a rising speed asks for more than it gives,
+// and one that is lost hides what the steering asked for. One
 // that its driver, or a wheel's lift, ended before says nothing, however much more its steering asked for
 // than came: tyres that understeer more and more do that as well. Then the limit stays open, beyond what was
 // seen and beyond what lifts the wheels, or no lift-off could be foretold; likewise if no ramp has steering,

@@ -161,6 +161,23 @@ TEST(CalibrationOfAnOddBody, BearsACorrectionOfEachFittedValue) {
     }
 }
 
+// So stiff that its stiffness and the least damping for it leave the range: both are bounded, and what
+// depends on them takes the written ones.
+TEST(CalibrationOfAnOddBody, WhatDependsOnABoundedValueTakesTheWrittenOne) {
+    KnownBody body = truck(9.5e6, 0.0, 0.0);
+    body.sprung_mass_kg = 45000.0;
+    body.inertia_kgm2 = 30000.0;
+    body.damping_nmsprad = 2.0e4;
+    const sil::Identification result =
+        sil::identify(identification_test::data_sheet_of(body), {identification_test::ramp_of(body, 6.5)},
+                      {identification_test::steps_of(body)});
+    const double written_nmprad = result.value("roll_stiffness_nmprad");
+    EXPECT_NEAR(written_nmprad, 1.0e7 / 1.201, 1.0);
+    EXPECT_NEAR(result.value("roll_damping_nmsprad"), 1.001 / 0.8 * 0.005 * written_nmprad, 1.0);
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("roll_stiffness_nmprad would be")));
+    read_back(result);
+}
+
 TEST_F(CalibrationOfAKnownBody, IsNotLimitedWhereTheComponentAdmitsTheCurve) {
     EXPECT_FALSE(result_.roll.curve_limited);
     EXPECT_THAT(result_.warnings, Not(Contains(HasSubstr("beyond what the component admits"))));

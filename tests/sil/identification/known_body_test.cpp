@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/report.hpp"
 #include "tests/sil/identification/known_body.hpp"
 
 namespace {
@@ -235,6 +236,19 @@ TEST(KnownBodyTest, HonoursTheLoadTransferOfARollCentreBelowTheRoad) {
     sil::IdentificationOptions options;
     options.keep_cg_height = true;
     EXPECT_GT(seen_ratio(identified(body, identification_test::data_sheet_of(body), {}, options)), 1.02);
+}
+
+// Exactly on the road, as the fit gives it but for rounding, is a place where a suspension has it.
+TEST(KnownBodyTest, ARollCentreOnTheRoadIsPlausibleWithinRounding) {
+    for (const double height_m : {-0.003, -1.0e-6, 0.0, 0.003}) {
+        KnownBody body;
+        body.roll_centre_height_m = height_m;
+        const sil::Identification result = identified(body, identification_test::data_sheet_of(body));
+        EXPECT_DOUBLE_EQ(result.vehicle.sprung_cg_height_m, body.sprung_cg_height_m) << height_m;
+        EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("where no suspension has it")))) << height_m;
+        EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("-0.00 ")))) << height_m;
+        EXPECT_THAT(sil::identification_report(result), Not(HasSubstr("h_rc -0.000"))) << height_m;
+    }
 }
 
 // The user has measured it; what the loads ask for is said.

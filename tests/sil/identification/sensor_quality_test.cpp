@@ -105,6 +105,8 @@ TEST(SensorQuality, BeyondWhatTheComponentAdmitsIsToldAndBounded) {
     const std::string text = sil::calibration_text(result);
     EXPECT_THAT(text, HasSubstr("\naccelerometer_noise_mps2 = 1.66"));  // of 2, less a reserve of 20 %
     EXPECT_THAT(text, HasSubstr("is beyond what the component admits after a correction"));
+    EXPECT_THAT(result.warnings, Contains(testing::AllOf(HasSubstr("accelerometer_noise_mps2 would be"),
+                                                         HasSubstr("after a correction"))));
 }
 
 }  // namespace

@@ -222,13 +222,23 @@ TEST(TyreLimit, IsOpenWhereTheDriverStopped) {
     EXPECT_DOUBLE_EQ(tyre_limit({hard}, {}).largest_mps2, 1.4 * hard.largest_parallel_mps2);
 }
 
-// A limit below the threshold would foretell that it never lifts a wheel.
+// A limit below the threshold would foretell that it never lifts a wheel. Axles and wheels belong to what the
+// tyres carry sideways: their low CG puts the threshold above that of the body alone.
 TEST(TyreLimit, IsOpenBeyondWhatLiftsTheWheels) {
     KnownBody low;
     low.sprung_cg_height_m = 0.55;
     low.roll_centre_height_m = 0.1;
-    EXPECT_DOUBLE_EQ(tyre_limit({ramp(6.0, of_good_tyres, low)}, {}, low).largest_mps2,
-                     low.track_width_m / (2.0 * low.sprung_cg_height_m) * sil::g_mps2);
+    for (const double unsprung_mass_kg : {0.0, 280.0, 900.0}) {
+        low.unsprung_mass_kg = unsprung_mass_kg;
+        const double whole_kg = low.sprung_mass_kg + low.unsprung_mass_kg;
+        const double cg_height_m =
+            (low.sprung_mass_kg * low.sprung_cg_height_m + low.unsprung_mass_kg * low.unsprung_cg_height_m) /
+            whole_kg;
+        const sil::TyreLimit limit = tyre_limit({ramp(6.0, of_good_tyres, low)}, {}, low);
+        EXPECT_NEAR(limit.largest_mps2, low.track_width_m / (2.0 * cg_height_m) * sil::g_mps2, 1e-9)
+            << unsprung_mass_kg;
+        EXPECT_THAT(limit.origin, HasSubstr("the whole vehicle's static rollover threshold"));
+    }
 }
 
 // More asked for than came is no evidence: the force still grows.
@@ -267,6 +277,41 @@ TEST(TyreLimit, IsOpenWhereTheSpeedIsLost) {
         sample.parallel_mps2 *= std::pow(1.0 - 0.3 * lost, 2);
     }
     EXPECT_FALSE(tyre_limit({slowing}, {}).is_shown);
+}
+
+// As `force` of linear tyres at its speed and steering: the driver steers, then mainly speeds up to twice the
+// speed and steers on by `steered_on`.
+sil::PreparedDrive speeding_ramp(double steered_on, double grip) {
+    KnownBody understeering;
+    understeering.understeer_gradient_s2pm = 0.006;
+    sil::PreparedDrive drive = ramp(4.0, of_good_tyres, understeering);
+    drive.largest_parallel_mps2 = 0.0;
+    for (sil::RollSample& sample : drive.samples) {
+        const double steered = std::clamp((sample.time_s - 1.0) / 6.0, 0.0, 1.0);
+        const double sped_up = std::clamp((sample.time_s - 7.0) / 6.0, 0.0, 1.0);
+        const double back = std::clamp((16.0 - sample.time_s) / 3.0, 0.0, 1.0);
+        sample.steering_wheel_angle_rad =
+            1.0 * std::min(steered * (1.0 - steered_on) + sped_up * steered_on, back);
+        sample.speed_mps = understeering.speed_mps * (1.0 + sped_up);
+        const double square = sample.speed_mps * sample.speed_mps;
+        sample.parallel_mps2 =
+            std::min(grip, square * sample.steering_wheel_angle_rad / understeering.steering_ratio /
+                               (understeering.wheelbase_m + understeering.understeer_gradient_s2pm * square));
+        drive.largest_parallel_mps2 = std::max(drive.largest_parallel_mps2, sample.parallel_mps2);
+    }
+    return drive;
+}
+
+// Speed times itself outgrows what it gives in an understeering vehicle: no tyre has reached its limit.
+TEST(TyreLimit, IsOpenWhereTheSpeedRises) {
+    for (const double steered_on : {0.0, 0.05, 0.1, 0.2}) {
+        const sil::PreparedDrive drive = speeding_ramp(steered_on, 100.0);
+        EXPECT_FALSE(tyre_limit({drive}, {}).is_shown) << steered_on;
+    }
+}
+
+TEST(TyreLimit, IsShownWhereTheSpeedRisesAndTheForceDoesNot) {
+    EXPECT_TRUE(tyre_limit({speeding_ramp(0.5, 3.0)}, {}).is_shown);
 }
 
 TEST(TyreLimit, IsOpenWhereALiftEndedTheRamp) {
