@@ -88,7 +88,7 @@ TEST(LongStop, WithoutASpeedItNeitherBeginsNorEnds) {
 TEST(LoadSplit, SharesOutBetweenMassAndHeight) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     for (const float moment : {0.8F, 1.0F, 1.44F, 2.0F}) {
-        for (const float mass : {rsi::assumed_mass_factor(moment), 1.0F, 1.1F}) {
+        for (const float mass : {rsi::assumed_mass_factor(moment), 1.0F, (moment < 1.0F) ? 0.9F : 1.1F}) {
             const rsi::SprungBody loaded = rsi::with_load(empty, moment, mass);
             EXPECT_FLOAT_EQ(loaded.mass_kg, std::fmax(mass, moment / 1.7F) * empty.mass_kg);
             EXPECT_FLOAT_EQ(loaded.roll_inertia_kgm2, moment * empty.roll_inertia_kgm2);
@@ -119,9 +119,41 @@ TEST(LoadSplit, WithoutALoadItIsTheCalibratedBodyToTheLastBit) {
 TEST(LoadSplit, NoLoadBringsTheHeightFurtherThanALoadCan) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     EXPECT_FLOAT_EQ(rsi::with_load(empty, 2.0F, 0.6F).roll_arm_m, 1.7F * empty.roll_arm_m);
-    EXPECT_FLOAT_EQ(rsi::with_load(empty, 0.7F, 3.0F).roll_arm_m, 0.6F * empty.roll_arm_m);
+    EXPECT_FLOAT_EQ(rsi::with_load(empty, 0.5F, 0.9F).roll_arm_m, 0.6F * empty.roll_arm_m);
     const rsi::SprungBody flat{1000.0F, 0.2F, 0.7F, 300.0F};  // about a roll centre above it
     EXPECT_EQ(rsi::with_load(flat, 0.7F, 1.0F).cg_height_m, 0.2F);
+}
+
+// A trailer in the received mass, or a wrong one.
+TEST(LoadSplit, AHeavierBodyIsHardlyLower) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    EXPECT_FLOAT_EQ(rsi::with_load(empty, 1.0F, 1.5F).roll_arm_m, 0.9F * empty.roll_arm_m);
+    EXPECT_FLOAT_EQ(rsi::with_load(empty, 1.3F, 1.4F).mass_kg, 1.4F * empty.mass_kg);
+    EXPECT_FLOAT_EQ(rsi::with_load(empty, 0.7F, 3.0F).mass_kg, empty.mass_kg);
+}
+
+TEST(LoadSplit, TakesForNoLoadThatWhichAWrongCalibrationMakes) {
+    for (const float sign : {1.0F, -1.0F}) {
+        for (const float excess : {0.0F, 0.05F, 0.1F}) {
+            EXPECT_EQ(rsi::excess_beyond_errors(sign * excess), 0.0F);
+        }
+        EXPECT_FLOAT_EQ(rsi::excess_beyond_errors(sign * 0.15F), sign * 0.1F);
+        EXPECT_FLOAT_EQ(rsi::excess_beyond_errors(sign * 0.2F), sign * 0.2F);
+        EXPECT_FLOAT_EQ(rsi::excess_beyond_errors(sign * 0.5F), sign * 0.5F);
+    }
+}
+
+TEST(LoadSplit, CountsTheErrorsFromWhatTheMassSays) {
+    EXPECT_FLOAT_EQ(rsi::excess_beside_mass(0.35F, 0.4F), 0.4F);
+    EXPECT_FLOAT_EQ(rsi::excess_beside_mass(0.7F, 0.4F), 0.7F);
+    EXPECT_FLOAT_EQ(rsi::excess_beside_mass(-0.5F, -0.35F), -0.45F);
+}
+
+// Leaf springs that stick look so in small turns.
+TEST(LoadSplit, WithItsMassABodyIsNotTakenForALightOne) {
+    EXPECT_EQ(rsi::excess_beside_mass(-0.4F, 0.0F), 0.0F);
+    EXPECT_FLOAT_EQ(rsi::excess_beside_mass(-0.4F, 0.1F), 0.0F);
+    EXPECT_FLOAT_EQ(rsi::excess_beside_mass(-0.6F, -0.2F), -0.4F);
 }
 
 rsi_test::LoadAdaptation started(const rsi_parameters& parameters = adapting()) {

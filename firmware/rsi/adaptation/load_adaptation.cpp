@@ -77,8 +77,11 @@ void LoadAdaptation::doubt() {
 }
 
 SprungBody LoadAdaptation::body(const Constants& constants) const {
+    const float by_mass = mass_factor_ - 1.0F;
+    const float excess = mass_known_ ? excess_beside_mass(regression_.excess(), by_mass)
+                                     : excess_beyond_errors(regression_.excess());
     const float moment_factor =
-        smaller(1.0F + constants.used_share * regression_.excess(), constants.largest_moment_factor);
+        smaller(1.0F + constants.used_share * excess, constants.largest_moment_factor);
     const float mass_factor = mass_known_ ? known_mass_factor(constants) : assumed_mass_factor(moment_factor);
     return with_load(constants.calibrated, moment_factor, mass_factor);
 }

@@ -4,7 +4,7 @@
 namespace rsi {
 
 // Load excess: share by which m_s H exceeds the calibrated one.
-inline constexpr float least_load_excess = -0.45F;  // of a truck that has been emptied
+inline constexpr float least_load_excess = -0.6F;  // of a truck that has been emptied
 inline constexpr float largest_load_excess = 1.0F;
 // Standard deviation of the excess before anything is learnt: loads add up to 20 % to a car's m_s H, 100 % to
 // a truck's.

@@ -9,18 +9,36 @@ namespace {
 // Plausible range of H over the calibrated one. A mass that needs more contradicts the roll angle and is
 // adjusted.
 constexpr float least_height_factor = 0.6F;
+// The same for a body that is heavier than calibrated.
+constexpr float least_height_factor_of_more = 0.9F;
 constexpr float largest_height_factor = 1.7F;
 // The same, lower bound if the mass is not known.
 constexpr float least_assumed_height_factor = 0.93F;
 // Lower bound of the validation of the parameters, too.
 constexpr float least_cg_height_m = 0.2F;
+// Excess that a wrong calibration makes: 10 % of the stiffness, or 5 % of the height.
+constexpr float usual_error = 0.1F;
+constexpr float clear_excess = 2.0F * usual_error;
 
 }  // namespace
 
-// Precondition: both factors are above 0.5, so the divisions are safe.
+float excess_beyond_errors(float excess) {
+    const float size = absolute(excess);
+    const float beyond = larger(size - usual_error, 0.0F) * (clear_excess / (clear_excess - usual_error));
+    const float taken = smaller(beyond, size);
+    return (excess < 0.0F) ? -taken : taken;
+}
+
+float excess_beside_mass(float excess, float by_mass) {
+    return by_mass + larger(excess_beyond_errors(excess - by_mass), -absolute(by_mass));
+}
+
+// Precondition: both factors are above 0.3, so the divisions are safe.
 SprungBody with_load(const SprungBody& calibrated, float moment_factor, float mass_factor) {
     const float plausible_mass_factor =
-        clamp(mass_factor, moment_factor / largest_height_factor, moment_factor / least_height_factor);
+        clamp(mass_factor, moment_factor / largest_height_factor,
+              larger(moment_factor / least_height_factor_of_more,
+                     smaller(moment_factor / least_height_factor, 1.0F)));
     const float height_factor = moment_factor / plausible_mass_factor;
     SprungBody loaded;
     loaded.mass_kg = plausible_mass_factor * calibrated.mass_kg;
