@@ -502,8 +502,8 @@ TEST_F(AForceVote, TakesTheForceOfTheLoadedBody) {
     };
     rsi::Parameters suv = parameters();
     suv.load_adaptation = 1.0F;
-    for (const Load& load : {Load{1.0F, 2.0F}, Load{-0.49F, 4.0F / 0.51F}, Load{1.49F, 4.0F / 2.49F},
-                             Load{-0.51F, 4.0F}, Load{1.51F, 4.0F}, Load{nan, 4.0F}}) {
+    for (const Load& load : {Load{1.0F, 2.0F}, Load{-0.59F, 4.0F / 0.41F}, Load{0.99F, 4.0F / 1.99F},
+                             Load{-0.61F, 4.0F}, Load{1.01F, 4.0F}, Load{nan, 4.0F}}) {
         vote = {};
         vote.start(suv);
         vote.assume_load(load.excess);

@@ -176,9 +176,9 @@ TEST(AnEstimate, IsOutOfRangeWithALoadThatCannotHaveBeenLearnt) {
         outputs.load_excess_deviation = deviation;
         return rsi::monitoring::estimate_is_in_range(outputs);
     };
-    EXPECT_TRUE(is_in_range(-0.45F, 0.01F));
+    EXPECT_TRUE(is_in_range(-0.6F, 0.01F));
     EXPECT_TRUE(is_in_range(1.0F, 0.25F));
-    for (const float excess : {-0.451F, 1.001F, nan, infinity}) {
+    for (const float excess : {-0.601F, 1.001F, nan, infinity}) {
         EXPECT_FALSE(is_in_range(excess, 0.1F)) << excess;
     }
     for (const float deviation : {-0.001F, 0.251F, nan, infinity}) {

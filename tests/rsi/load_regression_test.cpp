@@ -158,11 +158,11 @@ TEST(LoadRegression, LearnsInOrdinaryTurnsOnly) {
 }
 
 TEST(LoadRegression, EndsAtItsBounds) {
-    for (const double excess : {-0.6, 1.6}) {
+    for (const double excess : {-0.75, 1.6}) {
         LoadedVehicle vehicle;
         vehicle.excess = excess;
         vehicle.strength = (excess > 0.0) ? 0.6 : 1.0;
-        const float bound = (excess > 0.0) ? 1.0F : -0.45F;
+        const float bound = (excess > 0.0) ? 1.0F : -0.6F;
         EXPECT_NEAR(after_two_minutes(vehicle).excess(), bound, 0.1F) << excess;
     }
 }
@@ -270,7 +270,7 @@ TEST(LoadRegression, ADoubtGoesHalfTheWayToWhatIsExpected) {
     for (int k = 0; k < 10; ++k) {
         regression.doubt(-3.0F);
     }
-    EXPECT_EQ(regression.excess(), -0.45F);
+    EXPECT_EQ(regression.excess(), -0.6F);
 }
 
 TEST(LoadRegression, AnExpectationMovesWhatIsNotKnown) {
@@ -280,7 +280,7 @@ TEST(LoadRegression, AnExpectationMovesWhatIsNotKnown) {
     regression.expect_change(5.0F);
     EXPECT_EQ(regression.excess(), 1.0F);
     regression.expect_change(-5.0F);
-    EXPECT_EQ(regression.excess(), -0.45F);
+    EXPECT_EQ(regression.excess(), -0.6F);
     rsi_test::LoadRegression driven = after_two_minutes(LoadedVehicle{});
     const float known = driven.excess();
     driven.expect_change(0.4F);
@@ -296,7 +296,7 @@ TEST(LoadRegression, ALoadThatIsPutOnIsKnownToHalfOfIt) {
     EXPECT_EQ(regression.excess(), 1.0F);
     EXPECT_EQ(regression.excess_deviation(), 0.25F);  // not less than nothing is known
     regression.add_load(-5.0F);
-    EXPECT_EQ(regression.excess(), -0.45F);
+    EXPECT_EQ(regression.excess(), -0.6F);
 }
 
 TEST(LoadRegression, ALearntLoadComesBack) {
@@ -334,9 +334,9 @@ TEST(LoadRegression, RefusesWhatCannotHaveBeenLearnt) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const rsi::LearntLoad good{0.2F, 0.05F, 0.1F};
     ASSERT_TRUE(fresh().restore(good));
-    EXPECT_TRUE(fresh().restore({-0.449F, 0.0101F, -1.99F}));
+    EXPECT_TRUE(fresh().restore({-0.599F, 0.0101F, -1.99F}));
     EXPECT_TRUE(fresh().restore({0.999F, 0.249F, 1.99F}));
-    for (const float excess : {nan, -0.46F, 1.01F}) {
+    for (const float excess : {nan, -0.61F, 1.01F}) {
         EXPECT_FALSE(fresh().restore({excess, 0.05F, 0.1F}));
     }
     for (const float deviation : {nan, 0.0F, 0.009F, 0.26F, -0.05F}) {
@@ -385,7 +385,7 @@ TEST(LoadRegression, NoInputBringsItOutOfItsBounds) {
         turn.load.suspension_moment_nm = any(scale);
         regression.update(turn.motion, turn.load);
         const rsi::LearntLoad learnt = regression.learnt();
-        ASSERT_GE(learnt.excess, -0.45F);
+        ASSERT_GE(learnt.excess, -0.6F);
         ASSERT_LE(learnt.excess, 1.0F);
         ASSERT_GE(learnt.excess_deviation, 0.01F);
         ASSERT_LE(learnt.excess_deviation, 0.25F);

@@ -2,6 +2,7 @@
 // the roll motion, which the body makes under that force. Is the accelerometer alone?
 #pragma once
 
+#include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/ecu/monitoring/driving_speed.hpp"
 #include "rsi/ecu/monitoring/lateral_forces.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
@@ -34,7 +35,7 @@ class ForceVote {
     // vote that has led there would go on.
     void assume_load(float excess) noexcept {
         const float used = used_load_share_ * excess;
-        if (rsi::is_within(used, -0.5F, 1.5F)) {
+        if (rsi::is_within(used, rsi::least_load_excess, rsi::largest_load_excess)) {
             held_share_ = 1.0F / (1.0F + used);
         }
     }
