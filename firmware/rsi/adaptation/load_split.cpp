@@ -35,10 +35,9 @@ float excess_beside_mass(float excess, float by_mass) {
 
 // Precondition: both factors are above 0.3, so the divisions are safe.
 SprungBody with_load(const SprungBody& calibrated, float moment_factor, float mass_factor) {
-    const float plausible_mass_factor =
-        clamp(mass_factor, moment_factor / largest_height_factor,
-              larger(moment_factor / least_height_factor_of_more,
-                     smaller(moment_factor / least_height_factor, 1.0F)));
+    const float plausible_mass_factor = clamp(mass_factor, moment_factor / largest_height_factor,
+                                              larger(moment_factor / least_height_factor_of_more,
+                                                     smaller(moment_factor / least_height_factor, 1.0F)));
     const float height_factor = moment_factor / plausible_mass_factor;
     SprungBody loaded;
     loaded.mass_kg = plausible_mass_factor * calibrated.mass_kg;

@@ -5,19 +5,19 @@
 
 namespace rsi {
 
-// A calibration with another roll stiffness or height than the vehicle's, and leaf springs that stick, make the body roll as
-// another load would. The part of an excess of m_s H that is taken for a load: none below what such errors make, all from
-// twice as much on.
+// A calibration with another roll stiffness or height than the vehicle's, and leaf springs that stick, make
+// the body roll as another load would. The part of an excess of m_s H that is taken for a load: none below
+// what such errors make, all from twice as much on.
 float excess_beyond_errors(float excess);
 
-// The same beside a known mass, which makes an excess of `by_mass` at the height of the calibrated CG: the errors count from
-// there. A body that rolls less than its mass says has not become light at once: as much as the mass has changed may be
-// missing, no more.
+// The same beside a known mass, which makes an excess of `by_mass` at the height of the calibrated CG: the
+// errors count from there. A body that rolls less than its mass says has not become light at once: as much as
+// the mass has changed may be missing, no more.
 float excess_beside_mass(float excess, float by_mass);
 
 // `moment_factor`: m_s H over the calibrated one; `mass_factor`: m_s over the calibrated one. H follows from
-// both, within plausible bounds, to which a contradicting mass is adjusted: a heavier body is hardly lower, so a mass that says so
-// has a trailer in it, or is wrong. The inertia grows with m_s H.
+// both, within plausible bounds, to which a contradicting mass is adjusted: a heavier body is hardly lower,
+// so a mass that says so has a trailer in it, or is wrong. The inertia grows with m_s H.
 SprungBody with_load(const SprungBody& calibrated, float moment_factor, float mass_factor);
 
 // Mass factor if only m_s H is known: sqrt(moment_factor), so that mass and height share the change equally;

@@ -40,8 +40,8 @@ struct Answer {
 
 using Demand = double (*)(const RollSample& sample);
 
-// Linear tyres give V^2 delta / (L + K_us V^2): at one speed in proportion to either demand. Where speed is
-// lost, it falls behind the first one, where speed is gained and the vehicle understeers, behind the second.
+// Linear tyres give V^2 delta / (L + K_us V^2): at one speed in proportion to either demand. It falls behind
+// the first one if speed is lost, behind the second if speed is gained and the vehicle understeers.
 double by_steering(const RollSample& sample) {
     return sample.steering_wheel_angle_rad;
 }

@@ -160,9 +160,11 @@ CampaignVehicle calmed_vehicle(const DrawnVehicle& vehicle, const VehicleParamet
 
 const std::vector<CampaignVariant>& campaign_variants() {
     static const std::vector<CampaignVariant> all{
-        CampaignVariant::clean,      CampaignVariant::errors,   CampaignVariant::without_wheel_loads,
-        CampaignVariant::loaded,     CampaignVariant::unloaded, CampaignVariant::wrongly_mounted,
-        CampaignVariant::wrong_mass, CampaignVariant::tripping, CampaignVariant::ordinary};
+        CampaignVariant::clean,           CampaignVariant::errors,
+        CampaignVariant::learnt,          CampaignVariant::without_wheel_loads,
+        CampaignVariant::loaded,          CampaignVariant::unloaded,
+        CampaignVariant::wrongly_mounted, CampaignVariant::wrong_mass,
+        CampaignVariant::tripping,        CampaignVariant::ordinary};
     return all;
 }
 
@@ -172,6 +174,8 @@ const char* variant_name(CampaignVariant variant) {
             return "clean";
         case CampaignVariant::errors:
             return "errors";
+        case CampaignVariant::learnt:
+            return "learnt";
         case CampaignVariant::without_wheel_loads:
             return "without_wheel_loads";
         case CampaignVariant::loaded:
@@ -244,7 +248,9 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
     settings.spread.friction_factor = {0.7, 1.2};
     const bool wrongly_loaded = driven_loaded || variant == CampaignVariant::unloaded;
     settings.spread.load_is_known = !wrongly_loaded;
-    settings.learning_s = wrongly_loaded || variant == CampaignVariant::wrong_mass ? two_minutes_s : 0.0;
+    const bool learns =
+        wrongly_loaded || variant == CampaignVariant::learnt || variant == CampaignVariant::wrong_mass;
+    settings.learning_s = learns ? two_minutes_s : 0.0;
     settings.spread.sensor_noise = variant != CampaignVariant::clean;
     if (variant != CampaignVariant::clean) {
         settings.spread.cg_height_error = 0.05;

@@ -12,8 +12,9 @@ namespace sil {
 
 // Knowledge of the firmware in a campaign.
 enum class CampaignVariant {
-    clean,                // calibrated with wheel loads, no errors
-    errors,               // the same with noise, CG height and roll stiffness wrong
+    clean,   // calibrated with wheel loads, no errors
+    errors,  // the same with noise, CG height and roll stiffness wrong
+    learnt,  // with those errors, after two minutes of ordinary driving with the load of the calibration
     without_wheel_loads,  // calibrated without, and those errors
     loaded,    // noise; calibrated empty, driven with the class's load, of which two minutes of driving tell
     unloaded,  // noise; calibrated with that load, driven without, the same

@@ -161,9 +161,9 @@ TEST(CalibrationOfAnOddBody, BearsACorrectionOfEachFittedValue) {
     }
 }
 
-// So stiff that its stiffness and the least damping for it leave the range: both are bounded, and what
-// depends on them takes the written ones.
-TEST(CalibrationOfAnOddBody, WhatDependsOnABoundedValueTakesTheWrittenOne) {
+// Both the stiffness and the least damping for it would leave the range: they are bounded, the damping by the stiffness
+// that is written.
+TEST(CalibrationOfAnOddBody, HasADampingThatFitsItsBoundedStiffness) {
     KnownBody body = truck(9.5e6, 0.0, 0.0);
     body.sprung_mass_kg = 45000.0;
     body.inertia_kgm2 = 30000.0;

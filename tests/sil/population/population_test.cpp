@@ -144,7 +144,8 @@ TEST_F(Population, ItsCampaignsRunWithTheClassInEveryRow) {
             variant == sil::CampaignVariant::loaded || variant == sil::CampaignVariant::unloaded;
         EXPECT_EQ(settings.spread.load_is_known, !wrongly_loaded);
         const bool wrong_mass = variant == sil::CampaignVariant::wrong_mass;
-        EXPECT_EQ(settings.learning_s, wrongly_loaded || wrong_mass ? 120.0 : 0.0);
+        EXPECT_EQ(settings.learning_s,
+                  wrongly_loaded || wrong_mass || variant == sil::CampaignVariant::learnt ? 120.0 : 0.0);
         EXPECT_EQ(settings.spread.mass_signal_factor.highest, wrong_mass ? 1.3 : 1.0);
         EXPECT_EQ(settings.spread.housing_tilt_deg,
                   variant == sil::CampaignVariant::wrongly_mounted ? 2.0 : 0.0);
