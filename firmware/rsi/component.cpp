@@ -97,8 +97,8 @@ bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
 }
 
 // All stages use the body as loaded, with two exceptions: the observer, against which the roll sensor is
-// checked, must not follow what the roll sensor has taught (only the vehicle's mass excuses the sensor), and
-// the indices for comparison stay as published.
+// checked, must not follow what the roll sensor has taught (its check admits more roll under a load, within a
+// bound), and the indices for comparison stay as published.
 void Component::take_load() {
     derived_.vehicle.loaded =
         loaded_body(derived_.vehicle.suspension, state_.load_adaptation.body(derived_.load_adaptation));
@@ -112,8 +112,9 @@ void Component::take_load() {
     State& state = state_;
 
     // Measure, and observe roll and bank.
-    const Learnt learnt{state.estimator.movement_for_observer_m(derived.estimator),
-                        state.load_adaptation.known_mass_factor(derived.load_adaptation)};
+    const Learnt learnt{
+        state.estimator.movement_for_observer_m(derived.estimator),
+        state.load_adaptation.roll_factor(derived.load_adaptation, derived.vehicle.loaded.moment_arm_kgm)};
     Measurement measured;
     if (!initialised_ || !state.measurement.update(derived.measurement, inputs, learnt, measured)) {
         step_unavailable(outputs);

@@ -261,6 +261,23 @@ TEST(LoadAdaptation, TheMassSaysWhatIsMassAndWhatIsHeight) {
     EXPECT_NEAR(half.known_mass_factor(), 1.25F, 1.0e-5F);
 }
 
+TEST(LoadAdaptation, ExcusesMoreRollByTheUsedLoadUpTo30PercentOrByTheMass) {
+    EXPECT_EQ(started().roll_factor(), 1.0F);
+    const auto learnt = [](float excess, float used_share) {
+        rsi_test::LoadAdaptation adaptation = started(adapting(used_share));
+        EXPECT_TRUE(adaptation.restore({excess, 0.03F, 0.0F}, false));
+        return adaptation;
+    };
+    EXPECT_NEAR(learnt(0.25F, 1.0F).roll_factor(), 1.25F, 1.0e-5F);
+    EXPECT_EQ(learnt(0.4F, 1.0F).roll_factor(), 1.3F);
+    EXPECT_NEAR(learnt(0.25F, 0.4F).roll_factor(), 1.1F, 1.0e-5F);
+    EXPECT_EQ(learnt(0.09F, 1.0F).roll_factor(), 1.0F);  // as errors of the calibration make
+    EXPECT_EQ(learnt(-0.4F, 1.0F).roll_factor(), 1.0F);
+    rsi_test::LoadAdaptation weighed = started();
+    stand(weighed, 1, mass_with(1.6F));
+    EXPECT_NEAR(weighed.roll_factor(), 1.6F, 1.0e-5F);
+}
+
 TEST(LoadAdaptation, BeforeAnyDrivingTheMassAloneIsALoadAtTheHeightOfTheBody) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     rsi_test::LoadAdaptation adaptation = started();

@@ -345,12 +345,12 @@ bool disagrees_in_a_turn(rsi_test::MeasurementStage& stage, float side, float sh
     return measured.observed.sensor_disagrees;
 }
 
-// Beyond both what the observer finds and what a body of that mass would do.
-TEST(Measurement, AKnownMassExcusesARollAngleUpToItsShare) {
+// Beyond both what the observer finds and what a body under that load would do.
+TEST(Measurement, ALoadExcusesARollAngleUpToItsShare) {
     for (const float side : {1.0F, -1.0F}) {
-        const auto disagrees = [side](float mass_factor, float sensed_over_observed) {
+        const auto disagrees = [side](float roll_factor, float sensed_over_observed) {
             rsi_test::MeasurementStage stage = stage_of(rsi_test::large_suv());
-            stage.learnt.mass_factor = mass_factor;
+            stage.learnt.roll_factor = roll_factor;
             return disagrees_in_a_turn(stage, side, sensed_over_observed);
         };
         EXPECT_FALSE(disagrees(1.0F, 1.0F));
@@ -365,7 +365,7 @@ TEST(Measurement, AKnownMassExcusesARollAngleUpToItsShare) {
 }
 
 // 0.05 rad are the calibrated limit.
-TEST(Measurement, WithoutAKnownMassNothingIsExcused) {
+TEST(Measurement, WithoutALoadNothingIsExcused) {
     const auto disagrees = [](float offset_rad) {
         rsi_test::MeasurementStage stage = stage_of(rsi_test::large_suv());
         return disagrees_in_a_turn(stage, 1.0F, 1.0F, offset_rad);

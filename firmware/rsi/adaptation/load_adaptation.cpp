@@ -21,6 +21,7 @@ constexpr float clear_change_of_mass = 0.05F;
 
 LoadAdaptation::Constants::Constants(const Parameters& parameters)
     : calibrated(calibrated_body(parameters)),
+      moment_arm_inverse(1.0F / calibrated.moment_arm_kgm()),  // validated: above 0
       unsprung_mass_kg(parameters.unsprung_mass_kg),
       used_share(parameters.load_adaptation),
       margin(used_share * parameters.load_margin),

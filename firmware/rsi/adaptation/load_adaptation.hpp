@@ -51,6 +51,7 @@ class LoadAdaptation {
         [[gnu::cold]] explicit Constants(const Parameters& parameters);
 
         SprungBody calibrated{};
+        float moment_arm_inverse{};  // 1 / (m_s H) as calibrated
         float unsprung_mass_kg{};
         float used_share{};             // of the learnt load, 0 to 1: parameter load_adaptation
         float margin{};                 // of the warning level, per unit of excess_deviation()
@@ -75,6 +76,14 @@ class LoadAdaptation {
         return 1.0F + constants.used_share * (mass_factor_ - 1.0F);
     }
 
+    // By how much the roll angle may be larger than the calibrated body's before it is taken for wrong: with
+    // the known mass, or with the used load, up to 1.3, since a roll sensor of wrong scale teaches a load,
+    // too. `moment_arm_kgm`: m_s H of body().
+    float roll_factor(const Constants& constants, float moment_arm_kgm) const {
+        return larger(known_mass_factor(constants),
+                      smaller(constants.moment_arm_inverse * moment_arm_kgm, largest_taught_roll_factor));
+    }
+
     // Factor on the warning level for the uncertainty of the load, 1 to 1.1.
     float level_weight(const Constants& constants) const;
 
@@ -85,6 +94,8 @@ class LoadAdaptation {
     [[gnu::cold]] bool restore(const LearntLoad& learnt, bool doubted);
 
  private:
+    static constexpr float largest_taught_roll_factor = 1.3F;
+
     void follow_mass(const Constants& constants, float vehicle_mass_kg);
     void doubt();
 

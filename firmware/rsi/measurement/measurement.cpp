@@ -58,10 +58,9 @@ RoadForces assume_no_heave(float lateral, float sine, float cosine, const Bank& 
     return RoadForces{parallel, normal_at_rest - parallel * bank.tangent};
 }
 
-// A heavier body rolls further than the observer's, which is the calibrated one; nearly by the share of its
-// mass.
-float beyond_observed_rad(float sensed_rad, float observed_rad, float mass_factor) {
-    const float laden_rad = mass_factor * observed_rad;
+// A body under a load rolls further than the observer's, which is the calibrated one.
+float beyond_observed_rad(float sensed_rad, float observed_rad, float roll_factor) {
+    const float laden_rad = roll_factor * observed_rad;
     return sensed_rad - clamp(sensed_rad, smaller(observed_rad, laden_rad), larger(observed_rad, laden_rad));
 }
 
@@ -167,7 +166,7 @@ void MeasurementStage::observe(const Constants& constants, const Inputs& inputs,
         check_.reset();
     } else if (!observer_.tipped()) {
         check_.update(constants.check,
-                      beyond_observed_rad(sensed_rad, observed.roll_angle_rad, learnt.mass_factor));
+                      beyond_observed_rad(sensed_rad, observed.roll_angle_rad, learnt.roll_factor));
     } else {
         // The observer's model ends where the vehicle tips: the check keeps what it has.
     }

@@ -43,7 +43,7 @@ struct BodyForces {
 // Estimates of the vehicle from the samples before.
 struct Learnt {
     float vertical_movement_m{0.0F};  // dh, 0 where there is no sound estimate
-    float mass_factor{1.0F};  // the sprung mass over the calibrated one where the vehicle's mass is known
+    float roll_factor{1.0F};          // roll angle under the load over the calibrated body's
 };
 
 class MeasurementStage {

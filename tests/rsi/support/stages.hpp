@@ -112,6 +112,7 @@ struct LoadAdaptation : rsi::LoadAdaptation {
     }
     rsi::SprungBody body() const { return rsi::LoadAdaptation::body(constants); }
     float known_mass_factor() const { return rsi::LoadAdaptation::known_mass_factor(constants); }
+    float roll_factor() const { return rsi::LoadAdaptation::roll_factor(constants, body().moment_arm_kgm()); }
     float level_weight() const { return rsi::LoadAdaptation::level_weight(constants); }
 
     Constants constants;

@@ -161,8 +161,8 @@ TEST(CalibrationOfAnOddBody, BearsACorrectionOfEachFittedValue) {
     }
 }
 
-// Both the stiffness and the least damping for it would leave the range: they are bounded, the damping by the stiffness
-// that is written.
+// Both the stiffness and the least damping for it would leave the range: they are bounded, the damping by the
+// stiffness that is written.
 TEST(CalibrationOfAnOddBody, HasADampingThatFitsItsBoundedStiffness) {
     KnownBody body = truck(9.5e6, 0.0, 0.0);
     body.sprung_mass_kg = 45000.0;
