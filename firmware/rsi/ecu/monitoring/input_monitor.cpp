@@ -170,7 +170,13 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     report(DiagnosticCode::roll_rate_stuck, roll_rate_stuck_, inputs.roll_rate_radps,
            inputs.roll_angle_rad - turned);
     report(DiagnosticCode::roll_angle_stuck, roll_angle_stuck_, inputs.roll_angle_rad, turned);
-    report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_, inputs.yaw_rate_radps, lateral);
+    // Either alone would hold a bank, or a wrong roll rate, against the yaw rate.
+    const bool untilted =
+        yaw_rate_untilted_.is_stuck(inputs.yaw_rate_radps, lateral - rsi::gravity_mps2 * turned);
+    const bool yaw_stuck = yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral) && untilted;
+    if (yaw_stuck || yaw_rate_stuck_.moves()) {
+        memory.report(DiagnosticCode::yaw_rate_stuck, yaw_stuck);
+    }
     report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
@@ -181,9 +187,9 @@ Symptoms InputMonitor::roll_symptoms(const rsi::Inputs& inputs, float late_roll_
     roll_consistency_.update(
         there ? inputs.roll_angle_rad : late_roll_angle_rad, inputs.roll_rate_radps,
         inclination_rad(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps));
-    // An angle that does not fit the force points to the sensor, not the road; and a stationary vehicle sees
-    // no change of bank.
-    const bool may_twist = turn_consistency_.known() && force_vote_.roll_motion_agrees();
+    // An angle that does not fit the force points to the sensor, not the road. A ferry turns a vehicle that
+    // stands.
+    const bool may_twist = force_vote_.roll_motion_agrees();
     return symptom_if(roll_consistency_.known(), Symptom::roll_valid) |
            symptom_if(roll_consistency_.contradicts(may_twist), Symptom::roll_beyond_short) |
            symptom_if(roll_consistency_.has_offset(may_twist), Symptom::roll_beyond_long);

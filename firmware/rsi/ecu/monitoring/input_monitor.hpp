@@ -84,7 +84,10 @@ class InputMonitor {
     StuckCheck roll_rate_stuck_{0.02F, 0.0001F};
     StuckCheck roll_angle_stuck_{0.015F, 0.0001F};
     StuckCheck yaw_rate_stuck_{1.5F};  // m/s^2 of the lateral acceleration
-    StuckCheck speed_stuck_{4.5F};     // m/s^2 of yaw rate times this very speed
+    // The same less gravity's share as the roll rate tilts the body: a bank or a ferry's deck turns no
+    // vehicle. Drift: gravity times that of a gyro.
+    StuckCheck yaw_rate_untilted_{1.5F, 0.001F};
+    StuckCheck speed_stuck_{4.5F};  // m/s^2 of yaw rate times this very speed
     SteeringCheck steering_stuck_{};
 
     RollConsistency roll_consistency_{};
