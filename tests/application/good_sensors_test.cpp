@@ -172,7 +172,7 @@ class VehicleOnABank {
     double upward_mps2_{gravity_mps2};
 };
 
-TEST(GoodSensors, DISABLED_OfABankThatTurnsBy12DegreesInASecondAreNotAccused) {
+TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondAreNotAccused) {
     for (const double side : {1.0, -1.0}) {
         for (const double speed_mps : {12.0, 22.0, 30.0}) {
             for (const double damping : {5.0e3, 8.0e3, 12.0e3}) {

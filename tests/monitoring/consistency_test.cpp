@@ -773,11 +773,26 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
 TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     ForceVote vote;
     vote.start(truck_);
-    const float rate_radps = 0.6F;
-    const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
-    vote.update(sample_of(0.0F, 0.0F, 0.0F));
-    for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps));
+    ForceVote without_damping = vote;
+    const float rate_radps = 0.25F;
+    const float damping_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
+    float angle_rad = -0.14F;
+    for (int sample = 0; sample < 110; ++sample) {
+        angle_rad += 0.01F * rate_radps;
+        const float held_mps2 = truck_.roll_stiffness_nmprad / truck_.sprung_mass_kg * angle_rad;
+        vote.update(sample_of(held_mps2 + damping_mps2, held_mps2 + damping_mps2, angle_rad, rate_radps));
+        without_damping.update(sample_of(held_mps2, held_mps2, angle_rad, rate_radps));
+    }
+    EXPECT_TRUE(vote.roll_motion_agrees());
+    EXPECT_FALSE(without_damping.roll_motion_agrees());
+}
+
+// A road that turns below a body that does not roll against it.
+TEST_F(AForceVoteOfASwingingTruck, IsDampedAgainstTheRoad) {
+    ForceVote vote;
+    vote.start(truck_);
+    for (int sample = 0; sample < 100; ++sample) {
+        vote.update(sample_of(0.0F, 0.0F, 0.0F, 0.33F));
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
 }

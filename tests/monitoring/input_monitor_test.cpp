@@ -187,6 +187,7 @@ TEST_F(AnInputMonitor, InvalidatesAYawRateThatNoSlideExplains) {
 }
 
 TEST_F(AnInputMonitor, BlamesTheRollSensorForWhatTheObserverContradicts) {
+    inputs.roll_angle_rad = 0.04F;  // without a force
     run(100);
     before.roll_sensor_disagrees = 1;
     run(1);
@@ -194,6 +195,20 @@ TEST_F(AnInputMonitor, BlamesTheRollSensorForWhatTheObserverContradicts) {
     EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
     EXPECT_FALSE(confirmed(lateral_code));
     EXPECT_EQ(qualified.lateral_specific_force_mps2, 0.0F);
+}
+
+// On a road that twists the observer takes the bank's rate for the body's.
+TEST_F(AnInputMonitor, DoesNotBlameARollSensorThatTheForceConfirms) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    turn_at(4.0F);
+    inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 4.0F);
+    run(100);
+    before.roll_sensor_disagrees = 1;
+    run(100);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    inputs.yaw_rate_radps = 0.0F;  // nor the accelerometer, for a bank or a slide
+    run(100);
+    EXPECT_FALSE(confirmed(lateral_code));
 }
 
 TEST_F(AnInputMonitor, BlamesTheAccelerometerWhenTheYawRateContradictsItToo) {
@@ -249,10 +264,13 @@ TEST_F(AnInputMonitor, LetsARollSensorThatIsOutComeBackOnlyWithin50MilliradiansO
 }
 
 TEST_F(AnInputMonitor, TakesTheRollSensorBackAfterASecondWithin25MilliradiansOfTheObserver) {
+    inputs.roll_angle_rad = 0.04F;
+    run(100);
     before.roll_sensor_disagrees = 1;
     run(1);
     ASSERT_TRUE(confirmed(roll_sensor_code));
     before.roll_sensor_disagrees = 0;
+    inputs.roll_angle_rad = 0.0F;
     before.observed_roll_angle_rad = 0.026F;
     run(500);
     EXPECT_TRUE(confirmed(roll_sensor_code));
@@ -266,10 +284,13 @@ TEST_F(AnInputMonitor, TakesTheRollSensorBackAfterASecondWithin25MilliradiansOfT
 
 // Neither good nor bad: half a second, then a gap, then half a second heal it.
 TEST_F(AnInputMonitor, DoesNotJudgeTheRollSensorWhileEitherSaysNothing) {
+    inputs.roll_angle_rad = 0.04F;
+    run(100);
     before.roll_sensor_disagrees = 1;
     run(1);
     ASSERT_TRUE(confirmed(roll_sensor_code));
     before.roll_sensor_disagrees = 0;
+    inputs.roll_angle_rad = 0.0F;
     run(50);
     before.observed_roll_angle_rad = nan;
     run(300);
