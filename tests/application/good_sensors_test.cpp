@@ -243,7 +243,7 @@ TEST(GoodSensors, DISABLED_OfASlalomAtAConstantSpeedAreNotAccused) {
 }
 
 // In reverse the yaw rate of a turn has the other sign; the speed has none.
-TEST(GoodSensors, DISABLED_OfAVehicleInReverseAreNotAccused) {
+TEST(GoodSensors, OfAVehicleInReverseAreNotAccused) {
     for (const double speed_mps : {6.0, 8.0, 11.0}) {
         for (const double force_mps2 : {1.5, 2.5, 4.0}) {
             SCOPED_TRACE(speed_mps);

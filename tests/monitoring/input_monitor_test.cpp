@@ -151,6 +151,30 @@ TEST_F(AnInputMonitor, AdmitsAVerticalAccelerationThatChangesBy12MetresPerSecond
     EXPECT_TRUE(std::isnan(qualified.vertical_specific_force_mps2));
 }
 
+// From the standstill backwards into a turn.
+TEST_F(AnInputMonitor, DoesNotBlameTheYawRateOfAVehicleInReverse) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    for (const bool stood : {true, false}) {
+        memory = {};
+        monitor.start(suv);
+        turn_at(0.0F);
+        inputs.speed_mps = stood ? 0.5F : 2.0F;
+        inputs.roll_angle_rad = 0.0F;
+        run(1);
+        while (inputs.speed_mps < 9.0F) {
+            inputs.speed_mps += 1.0F;
+            run(1);
+        }
+        inputs.lateral_specific_force_mps2 = 2.5F;
+        inputs.yaw_rate_radps = -2.5F / inputs.speed_mps;
+        inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 2.5F);
+        run(300);
+        EXPECT_EQ(confirmed(yaw_code), !stood);
+        EXPECT_FALSE(confirmed(lateral_code));
+        inputs.speed_mps = 30.0F;
+    }
+}
+
 // Yaw rate and roll angle agree against the accelerometer; but in a spin the yaw rate is no reference.
 TEST_F(AnInputMonitor, SetsNoCodeOfTheAccelerometerInASpin) {
     const rsi::Parameters suv = rsi_test_large_suv();

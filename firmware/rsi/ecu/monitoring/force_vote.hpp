@@ -39,8 +39,9 @@ class ForceVote {
         }
     }
 
-    // One sample; one that is not finite, or of a body far over, starts anew.
-    void update(const rsi::Inputs& inputs) noexcept {
+    // One sample; one that is not finite, or of a body far over, starts anew. `forward`: the yaw rate has the
+    // sign of the turn.
+    void update(const rsi::Inputs& inputs, bool forward) noexcept {
         // At the IMU turning adds to the force, and rolling needs a force for the inertia: both are a
         // rate of change, which through the lag is what the lag has yet to follow, over its time.
         const float imu = (imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps) / lag_s;
@@ -51,7 +52,7 @@ class ForceVote {
         // as well, which a road that twists makes as large as that.
         const float road_damping = (force_per_rate_mps_ / lag_s) * inputs.roll_angle_rad;
         const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
-        const float by_yaw = force_by_yaw(turn, inputs);
+        const float by_yaw = force_by_yaw(turn, inputs, forward);
         const bool knew = known_;
         known_ = rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
                  rsi::is_finite(inputs.lateral_specific_force_mps2 + turn + imu + held);
@@ -95,9 +96,9 @@ class ForceVote {
     static constexpr float lag_s = 0.3F;
     static constexpr float latest_s = 0.08F;
 
-    // Either one may be right for a vehicle that may be rolling backwards.
-    static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs) noexcept {
-        return (inputs.speed_mps > driving_speed_mps)
+    // Either one may be right for a vehicle that may be going backwards.
+    static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs, bool forward) noexcept {
+        return (forward && (inputs.speed_mps > driving_speed_mps))
                    ? turn_mps2
                    : rsi::clamp_magnitude(inputs.lateral_specific_force_mps2, rsi::absolute(turn_mps2));
     }

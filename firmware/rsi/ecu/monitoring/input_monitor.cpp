@@ -214,14 +214,16 @@ Symptoms InputMonitor::vertical_symptoms(const rsi::Inputs& inputs, const rsi::O
 }
 
 Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
-    turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    direction_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps,
+                             direction_.is_forward());
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
     force_vote_.assume_load(sure_load_excess(before));
-    force_vote_.update(against_road);
+    force_vote_.update(against_road, direction_.is_forward());
     slow_vehicle_.update(inputs);
     return gain_symptoms(before) | symptom_if(turn_consistency_.known(), Symptom::turn_valid) |
            symptom_if(turn_consistency_.agrees(), Symptom::turn_within) |

@@ -11,6 +11,7 @@
 #include "rsi/ecu/monitoring/slow_vehicle.hpp"
 #include "rsi/ecu/monitoring/steering_check.hpp"
 #include "rsi/ecu/monitoring/stuck_check.hpp"
+#include "rsi/ecu/monitoring/travel_direction.hpp"
 #include "rsi/ecu/monitoring/turn_consistency.hpp"
 #include "rsi/ecu/monitoring/turn_signs.hpp"
 #include "rsi/ecu/monitoring/vertical_offset.hpp"
@@ -92,6 +93,7 @@ class InputMonitor {
 
     RollConsistency roll_consistency_{};
     RollReferenceCheck roll_reference_{};
+    TravelDirection direction_{};
     TurnConsistency turn_consistency_{};
     TurnSigns turn_signs_{};
     ForceVote force_vote_{};
