@@ -226,7 +226,7 @@ TEST(GoodSensors, DISABLED_OfABumpUnderOneSideAreNotAccused) {
     }
 }
 
-TEST(GoodSensors, DISABLED_OfASlalomAtAConstantSpeedAreNotAccused) {
+TEST(GoodSensors, OfASlalomAtAConstantSpeedAreNotAccused) {
     for (const double pulsation : {1.0, 2.0}) {
         for (const double force_mps2 : {3.0, 4.0}) {
             RollPlaneVehicle vehicle{large_suv()};

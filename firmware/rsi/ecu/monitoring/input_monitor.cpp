@@ -177,7 +177,9 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     if (yaw_stuck || yaw_rate_stuck_.moves()) {
         memory.report(DiagnosticCode::yaw_rate_stuck, yaw_stuck);
     }
-    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
+    speed_noise_.update(inputs.speed_mps);
+    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps,
+           speed_noise_.is_known() ? turn : rsi::not_available);
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 

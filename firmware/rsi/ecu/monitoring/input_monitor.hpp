@@ -6,6 +6,7 @@
 #include "rsi/ecu/monitoring/force_vote.hpp"
 #include "rsi/ecu/monitoring/roll_consistency.hpp"
 #include "rsi/ecu/monitoring/roll_reference_check.hpp"
+#include "rsi/ecu/monitoring/sensor_noise.hpp"
 #include "rsi/ecu/monitoring/signal_check.hpp"
 #include "rsi/ecu/monitoring/signatures.hpp"
 #include "rsi/ecu/monitoring/slow_vehicle.hpp"
@@ -100,6 +101,7 @@ class InputMonitor {
     ForceGain force_gain_{};
     SlowVehicle slow_vehicle_{};
     VerticalOffset vertical_offset_{};
+    SensorNoise speed_noise_{};
     float turned_rad_{0.0F};  // integral of the roll rate, as a reference
     // The faulty one of roll rate and roll angle, as long as they contradict each other.
     OfRoll wrong_of_roll_{otherwise_wrong};
