@@ -1,5 +1,4 @@
-// Honest driving that looks like a fault: the sensors are good, so none may be accused. The disabled tests
-// show situations in which one still is.
+// Honest driving that looks like a fault: the sensors are good, so none may be accused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -196,7 +195,7 @@ TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondAreNotAccused) {
 }
 
 // One side is thrown up: the force that rolls the body heaves it too.
-TEST(GoodSensors, DISABLED_OfABumpUnderOneSideAreNotAccused) {
+TEST(GoodSensors, OfABumpUnderOneSideAreNotAccused) {
     for (const double side : {1.0, -1.0}) {
         Noise noise;
         double rate_radps = 0.0;
@@ -209,8 +208,8 @@ TEST(GoodSensors, DISABLED_OfABumpUnderOneSideAreNotAccused) {
                     side_force_mps2 = since_s > 0.0
                                           ? 20.0 * std::exp(-since_s / 0.06) * std::sin(24.0 * pi * since_s)
                                           : 0.0;
-                    const double acceleration = side * side_force_mps2 * 0.8 / 0.28 - 51.0 * angle_rad * 1.7 -
-                                                7.0 * rate_radps;
+                    const double acceleration =
+                        side * side_force_mps2 * 0.8 / 0.28 - 51.0 * angle_rad * 1.7 - 7.0 * rate_radps;
                     rate_radps += 0.0005 * acceleration;
                     angle_rad += 0.0005 * rate_radps;
                 }
@@ -270,7 +269,7 @@ TEST(GoodSensors, OfAVehicleInReverseAreNotAccused) {
 
 // Steady turn on a road that leans into it: what the bank takes from the lateral force it adds to the
 // vertical one.
-TEST(GoodSensors, DISABLED_OfABankedOvalAreNotAccused) {
+TEST(GoodSensors, OfABankedOvalAreNotAccused) {
     for (const double bank_deg : {20.0, 26.0, 31.0}) {
         for (const double beyond_mps2 : {-1.0, 0.0, 4.0}) {
             SCOPED_TRACE(bank_deg);
@@ -298,8 +297,7 @@ TEST(GoodSensors, DISABLED_OfABankedOvalAreNotAccused) {
                         static_cast<float>(((angle_rad - before_rad) / sample_s - bank_rate) * degrees);
                     motion.roll_angle.roll_angle_deg = static_cast<float>(angle_rad * degrees);
                     motion.vehicle_motion.speed_kmh = 180.0F;
-                    motion.vehicle_motion.yaw_rate_deg_per_s =
-                        static_cast<float>(turn_mps2 / 50.0 * degrees);
+                    motion.vehicle_motion.yaw_rate_deg_per_s = static_cast<float>(turn_mps2 / 50.0 * degrees);
                     add_noise(motion, noise);
                     return motion;
                 },
@@ -309,7 +307,7 @@ TEST(GoodSensors, DISABLED_OfABankedOvalAreNotAccused) {
 }
 
 // All wheels in the air, then a hard landing that takes the fall's speed back.
-TEST(GoodSensors, DISABLED_OfAJumpAreNotAccused) {
+TEST(GoodSensors, OfAJumpAreNotAccused) {
     for (const double flight_s : {0.3, 0.5, 0.8}) {
         SCOPED_TRACE(flight_s);
         Noise noise;
@@ -322,11 +320,10 @@ TEST(GoodSensors, DISABLED_OfAJumpAreNotAccused) {
                     upward_mps2 = gravity_mps2 * std::exp(-since_s / 0.03);
                 } else if (landed_s >= 0.0) {  // the impulse of the fall within 0.2 s, then the springs
                     const double peak_mps2 = gravity_mps2 * flight_s * pi / 0.4;
-                    upward_mps2 += landed_s < 0.2
-                                       ? peak_mps2 * std::sin(pi * landed_s / 0.2) -
-                                             gravity_mps2 * std::exp(-landed_s / 0.02)
-                                       : -3.0 * std::exp(-(landed_s - 0.2) / 0.25) *
-                                             std::sin(8.0 * (landed_s - 0.2));
+                    upward_mps2 += landed_s < 0.2 ? peak_mps2 * std::sin(pi * landed_s / 0.2) -
+                                                        gravity_mps2 * std::exp(-landed_s / 0.02)
+                                                  : -3.0 * std::exp(-(landed_s - 0.2) / 0.25) *
+                                                        std::sin(8.0 * (landed_s - 0.2));
                 }
                 Motion motion;
                 motion.imu.vertical_acceleration_mps2 = static_cast<float>(upward_mps2);

@@ -360,11 +360,13 @@ class AVerticalForce : public ::testing::Test {
  protected:
     void run(int samples, float vertical_mps2, float lateral_mps2 = 0.0F, float roll_angle_rad = 0.0F) {
         for (int sample = 0; sample < samples; ++sample) {
-            check.update(vertical_mps2, lateral_mps2, roll_angle_rad);
+            check.update(vertical_mps2, lateral_mps2, roll_angle_rad, turn_mps2, bank_rad);
         }
     }
 
     VerticalOffset check;
+    float turn_mps2{0.0F};
+    float bank_rad{0.0F};
 };
 
 TEST_F(AVerticalForce, HasAnOffsetBeyondItsLimitAndBeyondALargerOneInAWarning) {
@@ -418,6 +420,29 @@ TEST_F(AVerticalForce, IsSmallerInABodyThatLeansOutOfTheTurn) {
     EXPECT_TRUE(check.is_beyond(false));
 }
 
+// Turn of 5 m/s^2 on a road that leans into it by 0.4 rad.
+TEST_F(AVerticalForce, IsLargerOnARoadThatLeansIntoTheTurnByAnyPartOfIt) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = VerticalOffset{};
+        turn_mps2 = sign * 5.0F;
+        bank_rad = sign * -0.4F;
+        run(1000, gravity + 3.49F);
+        EXPECT_FALSE(check.is_beyond(false));
+        run(1000, gravity - 1.49F);
+        EXPECT_FALSE(check.is_beyond(false));
+        run(1000, gravity - 1.51F);
+        EXPECT_TRUE(check.is_beyond(false));
+        run(1000, gravity + 3.51F);
+        EXPECT_TRUE(check.is_beyond(false));
+        bank_rad = -bank_rad;  // out of it
+        run(1000, gravity + 1.51F);
+        EXPECT_TRUE(check.is_beyond(false));
+        bank_rad = nan;  // as if there were none
+        run(1000, gravity + 1.49F);
+        EXPECT_TRUE(check.is_within());
+    }
+}
+
 TEST_F(AVerticalForce, IsNotJudgedBeforeItsFirstSample) {
     EXPECT_FALSE(check.is_within());
     EXPECT_FALSE(check.is_beyond(false));
@@ -448,9 +473,9 @@ TEST(AnInclination, IsTheArcSineOfWhatTheForceIsMoreThanTheTurnNeeds) {
     for (const float sign : {1.0F, -1.0F}) {
         EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * (2.0F + 0.3F * gravity), sign * 2.0F),
                     sign * std::asin(0.3F), 2e-4F);
-        EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * 0.49F * gravity, 0.0F),
-                    sign * 0.49F * 1.04001667F, 1e-6F);
-        EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(sign * 0.51F * gravity, 0.0F)));
+        EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * 0.59F * gravity, 0.0F),
+                    sign * 0.59F * 1.05801667F, 1e-6F);
+        EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(sign * 0.61F * gravity, 0.0F)));
     }
     EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(nan, 0.0F)));
 }

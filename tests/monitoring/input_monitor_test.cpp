@@ -151,6 +151,48 @@ TEST_F(AnInputMonitor, AdmitsAVerticalAccelerationThatChangesBy12MetresPerSecond
     EXPECT_TRUE(std::isnan(qualified.vertical_specific_force_mps2));
 }
 
+// A wheel over a bump shakes the roll as well; noise of the accelerometer alone is a fault.
+TEST_F(AnInputMonitor, AdmitsAVerticalAccelerationThatIsShakenWithTheRollRate) {
+    for (const float rate_radps : {0.0F, 0.02F}) {
+        memory = {};
+        monitor.start(rsi_test_large_suv());
+        for (int cycle = 0; cycle < 100; ++cycle) {
+            const float sign = (cycle % 2 == 0) ? 1.0F : -1.0F;
+            inputs.vertical_specific_force_mps2 = 9.80665F + sign * 0.9F;  // 3.6 of second difference
+            inputs.roll_rate_radps = sign * rate_radps;                    // 0.08
+            run(1);
+        }
+        EXPECT_EQ(confirmed(DiagnosticCode::vertical_acceleration_jump), rate_radps < 0.01F);
+    }
+}
+
+// In the air and after the landing the body has no heave that a model could use.
+TEST_F(AnInputMonitor, NeitherUsesNorJudgesTheVerticalAccelerationOfAJump) {
+    run(10);
+    inputs.vertical_specific_force_mps2 = 0.0F;
+    run(4);
+    EXPECT_EQ(qualified.vertical_specific_force_mps2, 0.0F);
+    run(46);
+    EXPECT_TRUE(std::isnan(qualified.vertical_specific_force_mps2));
+    inputs.vertical_specific_force_mps2 = 60.0F;
+    run(10);
+    inputs.vertical_specific_force_mps2 = 9.80665F;
+    run(89);
+    EXPECT_TRUE(std::isnan(qualified.vertical_specific_force_mps2));
+    run(1);
+    EXPECT_EQ(qualified.vertical_specific_force_mps2, inputs.vertical_specific_force_mps2);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::none);
+}
+
+// One that has failed at zero.
+TEST_F(AnInputMonitor, BlamesAVerticalAccelerationThatIsZeroForLongerThanAJump) {
+    inputs.vertical_specific_force_mps2 = 0.0F;
+    run(100);
+    EXPECT_FALSE(confirmed(DiagnosticCode::vertical_acceleration_offset));
+    run(3);
+    EXPECT_TRUE(confirmed(DiagnosticCode::vertical_acceleration_offset));
+}
+
 // From the standstill backwards into a turn.
 TEST_F(AnInputMonitor, DoesNotBlameTheYawRateOfAVehicleInReverse) {
     const rsi::Parameters suv = rsi_test_large_suv();

@@ -16,6 +16,9 @@ constexpr float steepest_bank_rad = 0.42F;
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
+// A wheel that is thrown up shakes the body's roll as well, a noisy accelerometer does not.
+constexpr float heave_per_roll_shake_m = 22.0F;
+
 constexpr float sure_excess_deviation = 0.06F;
 
 // A speed in larger steps repeats its value in turns at a constant speed.
@@ -116,8 +119,15 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     if (fresh.imu) {
         qualified.lateral_specific_force_mps2 = lateral_.qualify(inputs.lateral_specific_force_mps2, memory);
         if (fresh.vertical_acceleration) {
-            qualified.vertical_specific_force_mps2 =
-                vertical_.qualify(inputs.vertical_specific_force_mps2, memory);
+            flight_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2);
+            if (flight_.excuses()) {
+                qualified.vertical_specific_force_mps2 = rsi::not_available;
+                vertical_.forget();
+            } else {
+                qualified.vertical_specific_force_mps2 =
+                    vertical_.qualify(inputs.vertical_specific_force_mps2, memory, 0.0F,
+                                      heave_per_roll_shake_m * roll_rate_.shake());
+            }
         }
         qualified.roll_rate_radps = roll_rate_.qualify(inputs.roll_rate_radps, memory);
     } else {
@@ -209,7 +219,11 @@ Symptoms InputMonitor::isolation_symptoms(const rsi::Inputs& inputs) const noexc
 // bank.
 Symptoms InputMonitor::vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
-                            against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad);
+                            against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad,
+                            inputs.yaw_rate_radps * inputs.speed_mps, known_bank_rad(inputs, before));
+    if (flight_.excuses()) {
+        return symptoms();
+    }
     const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
     return symptom_if(vertical_offset_.is_within(), Symptom::vertical_within) |
            symptom_if(vertical_offset_.is_beyond(!calm), Symptom::vertical_beyond);

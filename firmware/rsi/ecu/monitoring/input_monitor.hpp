@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rsi/ecu/monitoring/diagnostic_memory.hpp"
+#include "rsi/ecu/monitoring/flight.hpp"
 #include "rsi/ecu/monitoring/force_gain.hpp"
 #include "rsi/ecu/monitoring/force_vote.hpp"
 #include "rsi/ecu/monitoring/roll_consistency.hpp"
@@ -101,6 +102,7 @@ class InputMonitor {
     ForceGain force_gain_{};
     SlowVehicle slow_vehicle_{};
     VerticalOffset vertical_offset_{};
+    Flight flight_{};
     SensorNoise speed_noise_{};
     float turned_rad_{0.0F};  // integral of the roll rate, as a reference
     // The faulty one of roll rate and roll angle, as long as they contradict each other.
