@@ -29,6 +29,8 @@ struct Slalom {
         bench.drive([this, falsify](double time_s) {
             vehicle.advance(slalom_mps2(time_s));
             Motion motion = vehicle.motion();
+            noise_kmh = -noise_kmh;  // a speed without any may stand still
+            motion.vehicle_motion.speed_kmh += noise_kmh;
             if (faulty) {
                 falsify(motion, time_s);
             }
@@ -48,6 +50,7 @@ struct Slalom {
     }
 
     bool faulty{false};
+    float noise_kmh{0.05F};
     Bench bench;
     RollPlaneVehicle vehicle{large_suv()};
 };

@@ -218,7 +218,7 @@ class ATurn : public ::testing::Test {
 
     void run(int samples, float lateral_mps2, float yaw_acceleration_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            check.update(lateral_mps2, yaw_acceleration_mps2 / speed_mps, speed_mps);
+            check.update(lateral_mps2, yaw_acceleration_mps2 / speed_mps, speed_mps, true);
         }
     }
 
@@ -242,14 +242,21 @@ TEST_F(ATurn, IsNotJudgedBeforeItsFirstSample) {
 }
 
 TEST_F(ATurn, SetsNoCodeUpTo5MetresASecond) {
-    check.update(1.0F, 0.1F, 5.0F);
+    check.update(1.0F, 0.1F, 5.0F, true);
     expect_no_code();
     EXPECT_TRUE(check.agrees());
-    check.update(3.0F, 0.1F, 5.0F);
+    check.update(3.0F, 0.1F, 5.0F, true);
     EXPECT_FALSE(check.agrees());
-    check.update(1.0F, 0.1F, 5.001F);
+    check.update(1.0F, 0.1F, 5.001F, true);
     EXPECT_TRUE(check.known());
     EXPECT_TRUE(check.agrees());
+}
+
+TEST_F(ATurn, SetsNoCodeWhileItMayGoBackwards) {
+    check.update(5.0F, -0.25F, speed_mps, false);
+    expect_no_code();
+    check.update(5.0F, -0.25F, speed_mps, true);
+    EXPECT_TRUE(check.known());
 }
 
 TEST_F(ATurn, IsSuspiciousWhenTheFastFilterExceedsTheBankOfARoad) {
@@ -299,7 +306,7 @@ TEST_F(ATurn, StartsAnewWhenTheVehicleHardlyMovesOrASampleIsNotFinite) {
         run(1500, 9.0F, 0.0F);
         ASSERT_TRUE(check.suspicious());
         ASSERT_TRUE(check.contradicts());
-        check.update(gap.lateral, gap.yaw_rate, gap.speed);
+        check.update(gap.lateral, gap.yaw_rate, gap.speed, true);
         expect_no_statement();
         run(1, 9.0F, 0.0F);
         EXPECT_TRUE(check.known());
@@ -310,7 +317,7 @@ TEST_F(ATurn, StartsAnewWhenTheVehicleHardlyMovesOrASampleIsNotFinite) {
 
 TEST_F(ATurn, TakesAsLongToBeSuspiciousAfterAGapAsFromTheStart) {
     for (const float sign : {1.0F, -1.0F}) {
-        check.update(nan, 0.0F, speed_mps);
+        check.update(nan, 0.0F, speed_mps, true);
         run(20, sign * 3.0F, 0.0F);
         EXPECT_FALSE(check.suspicious());
         run(1, sign * 3.0F, 0.0F);
@@ -320,7 +327,7 @@ TEST_F(ATurn, TakesAsLongToBeSuspiciousAfterAGapAsFromTheStart) {
 
 TEST_F(ATurn, TakesAsLongToContradictAfterAGapAsFromTheStart) {
     for (const float sign : {1.0F, -1.0F}) {
-        check.update(nan, 0.0F, speed_mps);
+        check.update(nan, 0.0F, speed_mps, true);
         run(825, 0.0F, sign * 8.0F);
         EXPECT_FALSE(check.contradicts());
         run(12, 0.0F, sign * 8.0F);
@@ -342,9 +349,9 @@ TEST_F(ATurn, SpinsForASecondAfterItHasYawedFasterThanTyresTurn) {
 }
 
 TEST_F(ATurn, DoesNotSpinByWhatIsNotKnown) {
-    check.update(0.0F, 4.0F, 4.0F);
+    check.update(0.0F, 4.0F, 4.0F, true);
     EXPECT_FALSE(check.spins());
-    check.update(nan, 1.0F, 20.0F);
+    check.update(nan, 1.0F, 20.0F, true);
     EXPECT_FALSE(check.spins());
 }
 
@@ -353,11 +360,13 @@ class AVerticalForce : public ::testing::Test {
  protected:
     void run(int samples, float vertical_mps2, float lateral_mps2 = 0.0F, float roll_angle_rad = 0.0F) {
         for (int sample = 0; sample < samples; ++sample) {
-            check.update(vertical_mps2, lateral_mps2, roll_angle_rad);
+            check.update(vertical_mps2, lateral_mps2, roll_angle_rad, turn_mps2, bank_rad);
         }
     }
 
     VerticalOffset check;
+    float turn_mps2{0.0F};
+    float bank_rad{0.0F};
 };
 
 TEST_F(AVerticalForce, HasAnOffsetBeyondItsLimitAndBeyondALargerOneInAWarning) {
@@ -411,6 +420,29 @@ TEST_F(AVerticalForce, IsSmallerInABodyThatLeansOutOfTheTurn) {
     EXPECT_TRUE(check.is_beyond(false));
 }
 
+// Turn of 5 m/s^2 on a road that leans into it by 0.4 rad.
+TEST_F(AVerticalForce, IsLargerOnARoadThatLeansIntoTheTurnByAnyPartOfIt) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = VerticalOffset{};
+        turn_mps2 = sign * 5.0F;
+        bank_rad = sign * -0.4F;
+        run(1000, gravity + 3.49F);
+        EXPECT_FALSE(check.is_beyond(false));
+        run(1000, gravity - 1.49F);
+        EXPECT_FALSE(check.is_beyond(false));
+        run(1000, gravity - 1.51F);
+        EXPECT_TRUE(check.is_beyond(false));
+        run(1000, gravity + 3.51F);
+        EXPECT_TRUE(check.is_beyond(false));
+        bank_rad = -bank_rad;  // out of it
+        run(1000, gravity + 1.51F);
+        EXPECT_TRUE(check.is_beyond(false));
+        bank_rad = nan;  // as if there were none
+        run(1000, gravity + 1.49F);
+        EXPECT_TRUE(check.is_within());
+    }
+}
+
 TEST_F(AVerticalForce, IsNotJudgedBeforeItsFirstSample) {
     EXPECT_FALSE(check.is_within());
     EXPECT_FALSE(check.is_beyond(false));
@@ -441,9 +473,9 @@ TEST(AnInclination, IsTheArcSineOfWhatTheForceIsMoreThanTheTurnNeeds) {
     for (const float sign : {1.0F, -1.0F}) {
         EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * (2.0F + 0.3F * gravity), sign * 2.0F),
                     sign * std::asin(0.3F), 2e-4F);
-        EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * 0.49F * gravity, 0.0F),
-                    sign * 0.49F * 1.04001667F, 1e-6F);
-        EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(sign * 0.51F * gravity, 0.0F)));
+        EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * 0.59F * gravity, 0.0F),
+                    sign * 0.59F * 1.05801667F, 1e-6F);
+        EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(sign * 0.61F * gravity, 0.0F)));
     }
     EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(nan, 0.0F)));
 }
@@ -473,7 +505,7 @@ class AForceVote : public ::testing::Test {
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)));
+            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), true);
         }
         return vote.accelerometer_is_alone();
     }
@@ -520,7 +552,7 @@ TEST_F(AForceVote, TakesTheForceOfTheLoadedBody) {
 TEST_F(AForceVote, KnowsWhatTheAccelerometerShows80MillisecondsLater) {
     for (int sample = 0; sample < 200; ++sample) {
         const float force = 0.2F * static_cast<float>(sample);
-        vote.update(sample_of(force, force, roll_angle_rad(0.0F)));
+        vote.update(sample_of(force, force, roll_angle_rad(0.0F)), true);
     }
     EXPECT_NEAR(vote.forces().shown_soon_mps2 - vote.forces().shown_mps2, 1.6F, 0.02F);
 }
@@ -557,7 +589,7 @@ TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
         EXPECT_FALSE(vote.roll_motion_agrees());
         alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)));
+        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), true);
         EXPECT_FALSE(vote.roll_motion_agrees());
     }
 }
@@ -573,7 +605,7 @@ TEST_F(AForceVote, SuspectsAnAccelerometerBeyondBothOthersBy1500MillimetresPerSe
         alone_after(300, sign * 5.55F, sign * 10.0F, sign * 4.0F);  // between them
         EXPECT_FALSE(vote.accelerometer_is_suspect());
     }
-    vote.update(sample_of(nan, 0.0F, 0.0F));
+    vote.update(sample_of(nan, 0.0F, 0.0F), true);
     EXPECT_FALSE(vote.accelerometer_is_suspect());
 }
 
@@ -584,7 +616,7 @@ TEST_F(AForceVote, TellsTheForcesThatItCompares) {
     EXPECT_NEAR(vote.forces().shown_mps2, 5.0F, 1.0e-3F);
     EXPECT_NEAR(vote.forces().by_yaw_mps2, 3.0F, 1.0e-3F);
     EXPECT_NEAR(vote.forces().by_roll_mps2, 4.0F, 1.0e-3F);
-    vote.update(sample_of(nan, 0.0F, 0.0F));
+    vote.update(sample_of(nan, 0.0F, 0.0F), true);
     EXPECT_FALSE(vote.known());
 }
 
@@ -601,7 +633,7 @@ TEST_F(AForceVote, TakesTheYawRateOfASlowVehicleForATurnToEitherSide) {
             inputs.speed_mps = speed_mps;
             inputs.yaw_rate_radps = 1.0F / speed_mps;
             for (int sample = 0; sample < 500; ++sample) {
-                vote.update(inputs);
+                vote.update(inputs, true);
             }
             EXPECT_EQ(vote.accelerometer_is_alone(), turn.alone) << turn.shown_mps2 << " at " << speed_mps;
         }
@@ -614,7 +646,7 @@ TEST_F(AForceVote, TakesATurnToTheRightForOneToEitherSideAsWell) {
     inputs.speed_mps = 5.0F;
     inputs.yaw_rate_radps = -0.2F;
     for (int sample = 0; sample < 500; ++sample) {
-        vote.update(inputs);
+        vote.update(inputs, true);
     }
     EXPECT_NEAR(vote.forces().by_yaw_mps2, 1.0F, 1e-3F);
 }
@@ -624,7 +656,7 @@ TEST_F(AForceVote, NeedsASpeedAndAYawRateHoweverSlowTheVehicleIs) {
         rsi::Inputs inputs = sample_of(10.0F, 0.0F, 0.0F);
         inputs.speed_mps = with_speed ? 1.0F : nan;
         inputs.yaw_rate_radps = with_speed ? nan : 0.0F;
-        vote.update(inputs);
+        vote.update(inputs, true);
         EXPECT_FALSE(vote.known());
     }
 }
@@ -641,7 +673,7 @@ TEST_F(AForceVote, StartsAnewFarOverAndWithoutAReference) {
           Gap{10.0F, nan, 0.0F, 0.0F}, Gap{10.0F, 0.0F, nan, 0.0F}, Gap{10.0F, 0.0F, 0.0F, nan},
           Gap{infinity, 0.0F, 0.0F, 0.0F}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
-        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate));
+        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), true);
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     }
@@ -660,7 +692,7 @@ TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) 
             for (int times = 0; times < 2; ++times) {
                 EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
                 EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
-                vote.update(sample_of(nan, 0.0F, 0.0F));
+                vote.update(sample_of(nan, 0.0F, 0.0F), true);
             }
         }
     }
@@ -731,9 +763,10 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
             }
             const double at_imu_mps2 = force_mps2 + static_cast<double>(truck_.imu_x_m) * yaw_radps2 -
                                        static_cast<double>(truck_.imu_z_m) * acceleration_radps2;
-            vote.update(sample_of(gain * static_cast<float>(at_imu_mps2),
-                                  static_cast<float>(20.0 * yaw_radps), static_cast<float>(angle_rad),
-                                  static_cast<float>(rate_radps)));
+            vote.update(
+                sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
+                          static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
+                true);
             if (sample >= 300) {
                 said.alone += vote.accelerometer_is_alone() ? 1 : 0;
                 said.agrees += vote.roll_motion_agrees() ? 1 : 0;
@@ -761,23 +794,39 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
     vote.start(truck_);
     const float angle_rad = 0.1F;
     for (int times = 0; times < 2; ++times) {
-        vote.update(sample_of(8.0F, 8.0F, angle_rad));  // yaws at 0.4 rad/s
+        vote.update(sample_of(8.0F, 8.0F, angle_rad), true);  // yaws at 0.4 rad/s
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F));
-        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F));
+        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), true);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F));
+        vote.update(sample_of(nan, 0.0F, 0.0F), true);
     }
 }
 
 TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     ForceVote vote;
     vote.start(truck_);
-    const float rate_radps = 0.6F;
-    const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
-    vote.update(sample_of(0.0F, 0.0F, 0.0F));
-    for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps));
+    ForceVote without_damping = vote;
+    const float rate_radps = 0.25F;
+    const float damping_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
+    float angle_rad = -0.14F;
+    for (int sample = 0; sample < 110; ++sample) {
+        angle_rad += 0.01F * rate_radps;
+        const float held_mps2 = truck_.roll_stiffness_nmprad / truck_.sprung_mass_kg * angle_rad;
+        vote.update(sample_of(held_mps2 + damping_mps2, held_mps2 + damping_mps2, angle_rad, rate_radps),
+                    true);
+        without_damping.update(sample_of(held_mps2, held_mps2, angle_rad, rate_radps), true);
+    }
+    EXPECT_TRUE(vote.roll_motion_agrees());
+    EXPECT_FALSE(without_damping.roll_motion_agrees());
+}
+
+// A road that turns below a body that does not roll against it.
+TEST_F(AForceVoteOfASwingingTruck, IsDampedAgainstTheRoad) {
+    ForceVote vote;
+    vote.start(truck_);
+    for (int sample = 0; sample < 100; ++sample) {
+        vote.update(sample_of(0.0F, 0.0F, 0.0F, 0.33F), true);
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
 }
@@ -790,7 +839,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothRefere
         rsi::Inputs inputs = sample_of(4.0F + truck_.imu_x_m, 0.0F, 0.0F);
         inputs.yaw_rate_radps = 0.01F * static_cast<float>(sample);
         inputs.speed_mps = 1.0F;
-        vote.update(inputs);
+        vote.update(inputs, true);
     }
     EXPECT_TRUE(vote.accelerometer_is_alone());
 }
@@ -798,7 +847,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothRefere
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(10.0F, 0.0F, 0.0F));
+        vote.update(sample_of(10.0F, 0.0F, 0.0F), true);
     }
     EXPECT_FALSE(vote.accelerometer_is_alone());
 }

@@ -431,7 +431,7 @@ class AStuckSignal : public ASignalOfTheInputMonitor, public ::testing::WithPara
     void repeat(int times, float share_of_limit) {
         const StatedReference& stuck = GetParam();
         start();
-        run(1);
+        move(6);  // only a speed that has shown its noise can be seen to stand still
         const float usual = inputs.*stuck.reference;
         inputs.*stuck.reference = usual + share_of_limit * stuck.moved;
         for (int cycle = 1; cycle <= times; ++cycle) {
@@ -535,7 +535,10 @@ TEST_F(ASignalOfTheInputMonitor, SpeedIsNotStuckInStepsOfMoreThan5CentimetresPer
     for (const float step_mps : {0.05F, std::nextafter(0.05F, 1.0F)}) {
         vehicle.speed_resolution_mps = step_mps;
         start();
-        run(1);
+        for (int cycle = 0; cycle < 6; ++cycle) {  // noise
+            inputs.speed_mps += (cycle % 2 == 0) ? 0.001F : -0.001F;
+            run(1);
+        }
         for (int turn = 0; turn < 10; ++turn) {
             inputs.yaw_rate_radps = (turn % 2 == 0) ? 0.2F : -0.2F;
             run(20);

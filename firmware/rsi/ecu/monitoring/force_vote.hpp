@@ -40,16 +40,20 @@ class ForceVote {
         }
     }
 
-    // One sample; one that is not finite, or of a body far over, starts anew.
-    void update(const rsi::Inputs& inputs) noexcept {
+    // One sample; one that is not finite, or of a body far over, starts anew. `forward`: the yaw rate has the
+    // sign of the turn.
+    void update(const rsi::Inputs& inputs, bool forward) noexcept {
         // At the IMU turning adds to the force, and rolling needs a force for the inertia: both are a
         // rate of change, which through the lag is what the lag has yet to follow, over its time.
         const float imu = (imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps) / lag_s;
         const float inertia = (force_per_acceleration_m_ / lag_s) * inputs.roll_rate_radps;
-        const float held = held_share_ * (force_per_angle_mps2_ * inputs.roll_angle_rad +
-                                          force_per_rate_mps_ * inputs.roll_rate_radps);
+        const float damping = force_per_rate_mps_ * inputs.roll_rate_radps;
+        const float held = held_share_ * (force_per_angle_mps2_ * inputs.roll_angle_rad + damping);
+        // The dampers feel the body's rate against the road: that of the angle. The roll rate has the bank's
+        // as well, which a road that twists makes as large as that.
+        const float road_damping = (force_per_rate_mps_ / lag_s) * inputs.roll_angle_rad;
         const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
-        const float by_yaw = force_by_yaw(turn, inputs);
+        const float by_yaw = force_by_yaw(turn, inputs, forward);
         const bool knew = known_;
         known_ = rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
                  rsi::is_finite(inputs.lateral_specific_force_mps2 + turn + imu + held);
@@ -60,15 +64,18 @@ class ForceVote {
             shown_ = by_yaw + imu;
             by_yaw_ = by_yaw;
             by_roll_ = by_yaw - inertia;
+            by_bank_ = road_damping;
         }
         const float ahead = (latest_s / lag_s) * (inputs.lateral_specific_force_mps2 + imu - shown_);
         follow(inputs.lateral_specific_force_mps2 + imu, shown_);
         follow(by_yaw, by_yaw_);
         follow(held - inertia, by_roll_);
+        follow(damping + road_damping, by_bank_);
         const float shown = shown_ - imu;
         forces_ = LateralForces{shown, shown + ahead, by_yaw_, by_roll_ + inertia};
         against_yaw_mps2_ = forces_.shown_mps2 - forces_.by_yaw_mps2;
         against_roll_mps2_ = forces_.shown_mps2 - forces_.by_roll_mps2;
+        against_road_mps2_ = against_roll_mps2_ + held_share_ * (by_bank_ - road_damping);
     }
 
     // Whether the last sample was one; then the three forces.
@@ -83,16 +90,16 @@ class ForceVote {
     bool accelerometer_is_suspect() const noexcept { return lesser_contradiction_mps2() > 1.5F; }
     // Half of what counts as a contradiction: the yaw rate alone may be ahead in a weave.
     bool roll_motion_agrees() const noexcept {
-        return known_ && rsi::is_within_magnitude(against_roll_mps2_, 1.5F);
+        return known_ && rsi::is_within_magnitude(against_road_mps2_, 1.5F);
     }
 
  private:
     static constexpr float lag_s = 0.3F;
     static constexpr float latest_s = 0.08F;
 
-    // Either one may be right for a vehicle that may be rolling backwards.
-    static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs) noexcept {
-        return (inputs.speed_mps > driving_speed_mps)
+    // Either one may be right for a vehicle that may be going backwards.
+    static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs, bool forward) noexcept {
+        return (forward && (inputs.speed_mps > driving_speed_mps))
                    ? turn_mps2
                    : rsi::clamp_magnitude(inputs.lateral_specific_force_mps2, rsi::absolute(turn_mps2));
     }
@@ -120,9 +127,11 @@ class ForceVote {
     float shown_{0.0F};
     float by_yaw_{0.0F};
     float by_roll_{0.0F};
+    float by_bank_{0.0F};  // damping by the roll rate, and by the angle less what the lag has followed
     LateralForces forces_{};
     float against_yaw_mps2_{0.0F};
     float against_roll_mps2_{0.0F};
+    float against_road_mps2_{0.0F};  // damped against the road
 };
 
 }  // namespace rsi::monitoring

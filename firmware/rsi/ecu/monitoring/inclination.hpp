@@ -11,7 +11,7 @@ namespace rsi::monitoring {
 inline float inclination_rad(float lateral_force_mps2, float turn_mps2) noexcept {
     constexpr float per_gravity = 1.0F / rsi::gravity_mps2;
     const float sine = (lateral_force_mps2 - turn_mps2) * per_gravity;
-    return rsi::is_within_magnitude(sine, 0.5F) ? sine * (1.0F + sine * sine * (1.0F / 6.0F))
+    return rsi::is_within_magnitude(sine, 0.6F) ? sine * (1.0F + sine * sine * (1.0F / 6.0F))
                                                 : rsi::not_available;
 }
 

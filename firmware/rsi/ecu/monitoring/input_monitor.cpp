@@ -16,6 +16,9 @@ constexpr float steepest_bank_rad = 0.42F;
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
+// A wheel that is thrown up shakes the body's roll as well, a noisy accelerometer does not.
+constexpr float heave_per_roll_shake_m = 22.0F;
+
 constexpr float sure_excess_deviation = 0.06F;
 
 // A speed in larger steps repeats its value in turns at a constant speed.
@@ -116,8 +119,15 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     if (fresh.imu) {
         qualified.lateral_specific_force_mps2 = lateral_.qualify(inputs.lateral_specific_force_mps2, memory);
         if (fresh.vertical_acceleration) {
-            qualified.vertical_specific_force_mps2 =
-                vertical_.qualify(inputs.vertical_specific_force_mps2, memory);
+            flight_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2);
+            if (flight_.excuses()) {
+                qualified.vertical_specific_force_mps2 = rsi::not_available;
+                vertical_.forget();
+            } else {
+                qualified.vertical_specific_force_mps2 =
+                    vertical_.qualify(inputs.vertical_specific_force_mps2, memory, 0.0F,
+                                      heave_per_roll_shake_m * roll_rate_.shake());
+            }
         }
         qualified.roll_rate_radps = roll_rate_.qualify(inputs.roll_rate_radps, memory);
     } else {
@@ -170,8 +180,16 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     report(DiagnosticCode::roll_rate_stuck, roll_rate_stuck_, inputs.roll_rate_radps,
            inputs.roll_angle_rad - turned);
     report(DiagnosticCode::roll_angle_stuck, roll_angle_stuck_, inputs.roll_angle_rad, turned);
-    report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_, inputs.yaw_rate_radps, lateral);
-    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
+    // Either alone would hold a bank, or a wrong roll rate, against the yaw rate.
+    const bool untilted =
+        yaw_rate_untilted_.is_stuck(inputs.yaw_rate_radps, lateral - rsi::gravity_mps2 * turned);
+    const bool yaw_stuck = yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral) && untilted;
+    if (yaw_stuck || yaw_rate_stuck_.moves()) {
+        memory.report(DiagnosticCode::yaw_rate_stuck, yaw_stuck);
+    }
+    speed_noise_.update(inputs.speed_mps);
+    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps,
+           speed_noise_.is_known() ? turn : rsi::not_available);
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 
@@ -181,9 +199,9 @@ Symptoms InputMonitor::roll_symptoms(const rsi::Inputs& inputs, float late_roll_
     roll_consistency_.update(
         there ? inputs.roll_angle_rad : late_roll_angle_rad, inputs.roll_rate_radps,
         inclination_rad(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps));
-    // An angle that does not fit the force points to the sensor, not the road; and a stationary vehicle sees
-    // no change of bank.
-    const bool may_twist = turn_consistency_.known() && force_vote_.roll_motion_agrees();
+    // An angle that does not fit the force points to the sensor, not the road. A ferry turns a vehicle that
+    // stands.
+    const bool may_twist = force_vote_.roll_motion_agrees();
     return symptom_if(roll_consistency_.known(), Symptom::roll_valid) |
            symptom_if(roll_consistency_.contradicts(may_twist), Symptom::roll_beyond_short) |
            symptom_if(roll_consistency_.has_offset(may_twist), Symptom::roll_beyond_long);
@@ -201,21 +219,27 @@ Symptoms InputMonitor::isolation_symptoms(const rsi::Inputs& inputs) const noexc
 // bank.
 Symptoms InputMonitor::vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
-                            against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad);
+                            against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad,
+                            inputs.yaw_rate_radps * inputs.speed_mps, known_bank_rad(inputs, before));
+    if (flight_.excuses()) {
+        return symptoms();
+    }
     const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
     return symptom_if(vertical_offset_.is_within(), Symptom::vertical_within) |
            symptom_if(vertical_offset_.is_beyond(!calm), Symptom::vertical_beyond);
 }
 
 Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
-    turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    direction_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps,
+                             direction_.is_forward());
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
     force_vote_.assume_load(sure_load_excess(before));
-    force_vote_.update(against_road);
+    force_vote_.update(against_road, direction_.is_forward());
     slow_vehicle_.update(inputs);
     return gain_symptoms(before) | symptom_if(turn_consistency_.known(), Symptom::turn_valid) |
            symptom_if(turn_consistency_.agrees(), Symptom::turn_within) |

@@ -2,15 +2,18 @@
 #pragma once
 
 #include "rsi/ecu/monitoring/diagnostic_memory.hpp"
+#include "rsi/ecu/monitoring/flight.hpp"
 #include "rsi/ecu/monitoring/force_gain.hpp"
 #include "rsi/ecu/monitoring/force_vote.hpp"
 #include "rsi/ecu/monitoring/roll_consistency.hpp"
 #include "rsi/ecu/monitoring/roll_reference_check.hpp"
+#include "rsi/ecu/monitoring/sensor_noise.hpp"
 #include "rsi/ecu/monitoring/signal_check.hpp"
 #include "rsi/ecu/monitoring/signatures.hpp"
 #include "rsi/ecu/monitoring/slow_vehicle.hpp"
 #include "rsi/ecu/monitoring/steering_check.hpp"
 #include "rsi/ecu/monitoring/stuck_check.hpp"
+#include "rsi/ecu/monitoring/travel_direction.hpp"
 #include "rsi/ecu/monitoring/turn_consistency.hpp"
 #include "rsi/ecu/monitoring/turn_signs.hpp"
 #include "rsi/ecu/monitoring/vertical_offset.hpp"
@@ -84,17 +87,23 @@ class InputMonitor {
     StuckCheck roll_rate_stuck_{0.02F, 0.0001F};
     StuckCheck roll_angle_stuck_{0.015F, 0.0001F};
     StuckCheck yaw_rate_stuck_{1.5F};  // m/s^2 of the lateral acceleration
-    StuckCheck speed_stuck_{4.5F};     // m/s^2 of yaw rate times this very speed
+    // The same less gravity's share as the roll rate tilts the body: a bank or a ferry's deck turns no
+    // vehicle. Drift: gravity times that of a gyro.
+    StuckCheck yaw_rate_untilted_{1.5F, 0.001F};
+    StuckCheck speed_stuck_{4.5F};  // m/s^2 of yaw rate times this very speed
     SteeringCheck steering_stuck_{};
 
     RollConsistency roll_consistency_{};
     RollReferenceCheck roll_reference_{};
+    TravelDirection direction_{};
     TurnConsistency turn_consistency_{};
     TurnSigns turn_signs_{};
     ForceVote force_vote_{};
     ForceGain force_gain_{};
     SlowVehicle slow_vehicle_{};
     VerticalOffset vertical_offset_{};
+    Flight flight_{};
+    SensorNoise speed_noise_{};
     float turned_rad_{0.0F};  // integral of the roll rate, as a reference
     // The faulty one of roll rate and roll angle, as long as they contradict each other.
     OfRoll wrong_of_roll_{otherwise_wrong};

@@ -25,7 +25,12 @@ class SignalCheck {
     // One value that its frame has brought. `expected_change` is what others say that it has changed by.
     // A value beyond its range, or further from the last good one than a cycle allows, or shaken, gives that
     // last one, until the code is confirmed; then NaN, until it is healed. NaN gives NaN at once.
-    float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F) noexcept;
+    // `road_shake`: how far the road, which shakes others too, may shake it beyond its limit.
+    float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F,
+                  float road_shake = 0.0F) noexcept;
+
+    // Mean change of the change.
+    float shake() const noexcept { return shake_; }
 
     // Noise of a good sensor, rms, besides what the limits admit: they grow by that of its second difference.
     void admit_noise(float rms) noexcept {
@@ -45,7 +50,7 @@ class SignalCheck {
         return !rsi::is_within_magnitude(value - good_ - expected_change, limits_.jump);
     }
 
-    bool is_shaken(float value) noexcept;
+    bool is_shaken(float value, float road_shake) noexcept;
 
     void keep(float value) noexcept {
         good_ = value;

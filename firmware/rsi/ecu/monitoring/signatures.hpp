@@ -67,10 +67,16 @@ inline constexpr DiagnosticCode reference = DiagnosticCode::roll_angle_reference
 inline constexpr std::array<Signature, 26> signatures{{
     sets(row::lateral, Symptom::lateral_sign_alone),
     sets(row::lateral, Symptom::slow_vehicle_beyond),
-    sets(row::lateral, Symptom::lateral_alone).unless(Symptom::spinning),
+    sets(row::lateral, Symptom::lateral_alone).unless(Symptom::spinning).unless(Symptom::roll_force_within),
     // The observer is made of it, and something else contradicts it too.
-    sets(row::lateral, Symptom::observer_beyond).with(Symptom::turn_beyond_banks).unless(Symptom::spinning),
-    sets(row::lateral, Symptom::observer_beyond).with(Symptom::lateral_suspect).unless(Symptom::spinning),
+    sets(row::lateral, Symptom::observer_beyond)
+        .with(Symptom::turn_beyond_banks)
+        .unless(Symptom::spinning)
+        .unless(Symptom::roll_force_within),
+    sets(row::lateral, Symptom::observer_beyond)
+        .with(Symptom::lateral_suspect)
+        .unless(Symptom::spinning)
+        .unless(Symptom::roll_force_within),
     clears(row::lateral, Symptom::turn_within),
     // A yaw rate that alone is ahead, as in a weave near the limit, shows nothing.
     holds(row::lateral, Symptom::turn_valid).unless(Symptom::roll_force_within),
@@ -91,7 +97,8 @@ inline constexpr std::array<Signature, 26> signatures{{
     sets(row::roll_sensor, Symptom::observer_beyond)
         .unless(Symptom::spinning)
         .unless(Symptom::turn_beyond_banks)
-        .unless(Symptom::lateral_suspect),
+        .unless(Symptom::lateral_suspect)
+        .unless(Symptom::roll_force_within),
 
     sets(row::roll_short, Symptom::roll_beyond_short),
     clears(row::roll_short, Symptom::roll_valid),

@@ -15,11 +15,12 @@ namespace rsi::monitoring {
 // vehicles, spins among them.
 class TurnConsistency {
  public:
-    // One sample; one that is not finite, or from a vehicle that hardly moves, starts anew.
-    void update(float lateral_force_mps2, float yaw_rate_radps, float speed_mps) noexcept {
+    // One sample; one that is not finite, or from a vehicle that hardly moves or may go backwards, starts
+    // anew.
+    void update(float lateral_force_mps2, float yaw_rate_radps, float speed_mps, bool forward) noexcept {
         const float difference = lateral_force_mps2 - yaw_rate_radps * speed_mps;
         difference_mps2_ = difference;
-        known_ = rsi::is_finite(difference) && (speed_mps > driving_speed_mps);
+        known_ = rsi::is_finite(difference) && (speed_mps > driving_speed_mps) && forward;
         const bool spins = known_ && !rsi::is_within_magnitude(yaw_rate_radps * speed_mps, tyres_give_mps2);
         const std::uint32_t fewer = (after_spin_ > 0U) ? after_spin_ - 1U : 0U;
         after_spin_ = spins ? spin_samples : fewer;

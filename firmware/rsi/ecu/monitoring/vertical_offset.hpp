@@ -11,10 +11,16 @@ namespace rsi::monitoring {
 // warning and to 2.4 in one, where wheels lift and come down.
 class VerticalOffset {
  public:
-    // One sample; one that is not finite, or of a body far over, starts anew.
-    void update(float vertical_force_mps2, float lateral_force_mps2, float roll_angle_rad) noexcept {
-        const float expected = rsi::gravity_mps2 - lateral_force_mps2 * roll_angle_rad;
-        const float difference = vertical_force_mps2 - expected;
+    // One sample; one that is not finite, or of a body far over, starts anew. `bank_rad`: of the road, left
+    // side up; one that leans into the turn presses the body down. As it is known roughly and late, any part
+    // of that will do.
+    void update(float vertical_force_mps2, float lateral_force_mps2, float roll_angle_rad, float turn_mps2,
+                float bank_rad) noexcept {
+        const float beyond_gravity = vertical_force_mps2 - rsi::gravity_mps2;
+        const float level = -lateral_force_mps2 * roll_angle_rad;
+        const float banked = level - turn_mps2 * bank_rad;
+        const float pressed = (banked > level) ? banked : level;
+        const float difference = beyond_gravity - rsi::clamp(beyond_gravity, level, pressed);
         known_ = rsi::is_finite(difference) && rsi::is_within_magnitude(roll_angle_rad, 0.2F) &&
                  rsi::is_within_magnitude(lateral_force_mps2, 11.0F);
         mean_mps2_ = known_ ? mean_mps2_ + (rsi::sample_time_s / 0.4F) * (difference - mean_mps2_) : 0.0F;
