@@ -1,4 +1,4 @@
-// Honest driving that looks like a fault: the sensors are good, so none may be accused.
+// Honest driving that looks like a fault: the sensors are good, so no code may be set.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ void add_noise(Motion& motion, Noise& noise) {
 }
 
 struct Verdict {
-    std::string codes;  // numbers of all codes that were told
+    std::string codes;  // numbers of all codes that were reported
     int unavailable_cycles{0};
 };
 
@@ -73,7 +73,7 @@ Verdict drive(std::function<Motion(double)> motion, double seconds) {
     return verdict;
 }
 
-void expect_no_accusation(std::function<Motion(double)> motion, double seconds) {
+void expect_no_code(std::function<Motion(double)> motion, double seconds) {
     const Verdict verdict = drive(std::move(motion), seconds);
     EXPECT_EQ(verdict.codes, "");
     EXPECT_EQ(verdict.unavailable_cycles, 0);
@@ -171,7 +171,7 @@ class VehicleOnABank {
     double upward_mps2_{gravity_mps2};
 };
 
-TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondAreNotAccused) {
+TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondSetNoCode) {
     for (const double side : {1.0, -1.0}) {
         for (const double speed_mps : {12.0, 22.0, 30.0}) {
             for (const double damping : {5.0e3, 8.0e3, 12.0e3}) {
@@ -179,7 +179,7 @@ TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondAreNotAccused) {
                 SCOPED_TRACE(damping);
                 VehicleOnABank vehicle{speed_mps, damping};
                 Noise noise;
-                expect_no_accusation(
+                expect_no_code(
                     [&vehicle, &noise, side](double time_s) {
                         const Step on = smooth_step(time_s - 4.0, 1.0);
                         const Step off = smooth_step(time_s - 7.0, 1.0);
@@ -195,12 +195,12 @@ TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondAreNotAccused) {
 }
 
 // One side is thrown up: the force that rolls the body heaves it too.
-TEST(GoodSensors, OfABumpUnderOneSideAreNotAccused) {
+TEST(GoodSensors, OfABumpUnderOneSideSetNoCode) {
     for (const double side : {1.0, -1.0}) {
         Noise noise;
         double rate_radps = 0.0;
         double angle_rad = 0.0;
-        expect_no_accusation(
+        expect_no_code(
             [&noise, &rate_radps, &angle_rad, side](double time_s) {
                 double side_force_mps2 = 0.0;
                 for (int step = 0; step < 20; ++step) {
@@ -225,11 +225,11 @@ TEST(GoodSensors, OfABumpUnderOneSideAreNotAccused) {
     }
 }
 
-TEST(GoodSensors, OfASlalomAtAConstantSpeedAreNotAccused) {
+TEST(GoodSensors, OfASlalomAtAConstantSpeedSetNoCode) {
     for (const double pulsation : {1.0, 2.0}) {
         for (const double force_mps2 : {3.0, 4.0}) {
             RollPlaneVehicle vehicle{large_suv()};
-            expect_no_accusation(
+            expect_no_code(
                 [&vehicle, pulsation, force_mps2](double time_s) {
                     vehicle.advance(force_mps2 * std::sin(pulsation * time_s));
                     Motion motion = vehicle.motion();
@@ -242,14 +242,14 @@ TEST(GoodSensors, OfASlalomAtAConstantSpeedAreNotAccused) {
 }
 
 // In reverse the yaw rate of a turn has the other sign; the speed has none.
-TEST(GoodSensors, OfAVehicleInReverseAreNotAccused) {
+TEST(GoodSensors, OfAVehicleInReverseSetNoCode) {
     for (const double speed_mps : {6.0, 8.0, 11.0}) {
         for (const double force_mps2 : {1.5, 2.5, 4.0}) {
             SCOPED_TRACE(speed_mps);
             SCOPED_TRACE(force_mps2);
             RollPlaneVehicle vehicle{large_suv()};
             Noise noise;
-            expect_no_accusation(
+            expect_no_code(
                 [&vehicle, &noise, speed_mps, force_mps2](double time_s) {
                     const double moved = smooth_step(time_s - 3.0, 3.0).value;
                     const double swing = time_s < 14.0 ? 1.0 : std::cos(time_s - 14.0);
@@ -269,14 +269,14 @@ TEST(GoodSensors, OfAVehicleInReverseAreNotAccused) {
 
 // Steady turn on a road that leans into it: what the bank takes from the lateral force it adds to the
 // vertical one.
-TEST(GoodSensors, OfABankedOvalAreNotAccused) {
+TEST(GoodSensors, OfABankedOvalSetNoCode) {
     for (const double bank_deg : {20.0, 26.0, 31.0}) {
         for (const double beyond_mps2 : {-1.0, 0.0, 4.0}) {
             SCOPED_TRACE(bank_deg);
             SCOPED_TRACE(beyond_mps2);
             Noise noise;
             double angle_rad = 0.0;
-            expect_no_accusation(
+            expect_no_code(
                 [&noise, &angle_rad, bank_deg, beyond_mps2](double time_s) {
                     const Step on = smooth_step(time_s - 5.0, 4.0);
                     const double bank_rad = bank_deg / degrees * on.value;
@@ -307,11 +307,11 @@ TEST(GoodSensors, OfABankedOvalAreNotAccused) {
 }
 
 // All wheels in the air, then a hard landing that takes the fall's speed back.
-TEST(GoodSensors, OfAJumpAreNotAccused) {
+TEST(GoodSensors, OfAJumpSetNoCode) {
     for (const double flight_s : {0.3, 0.5, 0.8}) {
         SCOPED_TRACE(flight_s);
         Noise noise;
-        expect_no_accusation(
+        expect_no_code(
             [&noise, flight_s](double time_s) {
                 const double since_s = time_s - 5.0;
                 const double landed_s = since_s - flight_s;
@@ -355,12 +355,12 @@ Motion on_a_ferry(double time_s, double& angle_rad) {
     return motion;
 }
 
-TEST(GoodSensors, OfAFerryAreNotAccused) {
+TEST(GoodSensors, OfAFerrySetNoCode) {
     for (const bool noisy : {true, false}) {
         SCOPED_TRACE(noisy);
         Noise noise;
         double angle_rad = 0.0;
-        expect_no_accusation(
+        expect_no_code(
             [&noise, &angle_rad, noisy](double time_s) {
                 Motion motion = on_a_ferry(time_s, angle_rad);
                 if (noisy) {
@@ -374,13 +374,13 @@ TEST(GoodSensors, OfAFerryAreNotAccused) {
 }
 
 // Ideal sensors repeat themselves.
-TEST(GoodSensors, WithoutNoiseOfAGentleSlalomAreNotAccused) {
+TEST(GoodSensors, WithoutNoiseOfAGentleSlalomSetNoCode) {
     for (const double force_mps2 : {2.0, 3.0, 5.0}) {
         for (const double pulsation : {0.8, 1.2, 2.0}) {
             SCOPED_TRACE(force_mps2);
             SCOPED_TRACE(pulsation);
             RollPlaneVehicle vehicle{large_suv()};
-            expect_no_accusation(
+            expect_no_code(
                 [&vehicle, force_mps2, pulsation](double time_s) {
                     vehicle.advance(force_mps2 * std::sin(pulsation * time_s));
                     return vehicle.motion();
@@ -391,10 +391,10 @@ TEST(GoodSensors, WithoutNoiseOfAGentleSlalomAreNotAccused) {
 }
 
 // The yaw rate stays zero while the bank changes the lateral force.
-TEST(GoodSensors, WithoutNoiseOfAStraightOverABankAreNotAccused) {
+TEST(GoodSensors, WithoutNoiseOfAStraightOverABankSetNoCode) {
     for (const double side : {1.0, -1.0}) {
         double angle_rad = 0.0;
-        expect_no_accusation(
+        expect_no_code(
             [&angle_rad, side](double time_s) {
                 const Step on = smooth_step(time_s - 4.0, 2.0);
                 const double bank_rad = side * 10.0 / degrees * on.value;
