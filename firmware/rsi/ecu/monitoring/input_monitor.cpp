@@ -103,6 +103,8 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     seen |= observer_symptoms(inputs, before);
     judge(seen, memory);
     const CodeSet confirmed = memory.confirmed_codes();
+    withdrawn_ = ((confirmed & ~confirmed_before_) & withdrawing_codes) != 0U;
+    confirmed_before_ = confirmed;
     if (confirmed != 0U) {
         if (!contradicted && ((confirmed & roll_contradictions) != 0U)) {
             wrong_of_roll_ = wrong_of(isolation_symptoms(references));
