@@ -38,8 +38,8 @@ class WarningStateMachine {
     // have been good for recovery_s.
     void update(const Constants& constants, const RiskLevel& risk);
 
-    // The evidence so far has been withdrawn: the state is held no longer, and follows the indicator until it has been below
-    // advisory_off.
+    // The evidence so far has been withdrawn: the state is held no longer, and follows the indicator until it
+    // has been below advisory_off.
     void withdraw_evidence() { withdrawn_ = true; }
 
     rsi_state state() const { return state_; }

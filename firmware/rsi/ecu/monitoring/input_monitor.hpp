@@ -41,7 +41,7 @@ class InputMonitor {
     rsi::Inputs qualify(const rsi::Inputs& inputs, const FreshFrames& fresh, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
 
-    // Whether the last cycle was the first to leave out a signal that a code accuses.
+    // Whether the last cycle was the first to leave out a signal for a code.
     bool has_withdrawn() const noexcept { return withdrawn_; }
 
  private:

@@ -193,7 +193,7 @@ constexpr CodeSet find_no_reference_codes() noexcept {
 }
 inline constexpr CodeSet no_reference_codes = find_no_reference_codes();
 
-// Codes that accuse a signal whose values have been used.
+// Codes of faults of a signal whose values have been used until then.
 constexpr CodeSet find_withdrawing_codes() noexcept {
     CodeSet all = roll_contradictions;
     for (const Consequence& each : consequences) {
