@@ -95,13 +95,14 @@ TEST_P(GoodSensors, ThatTheCalibrationTakesForQuieterOnesSetACode) {
     EXPECT_EQ(run.events.judgement.warnings, 0U);
 }
 
-TEST_P(GoodSensors, WhoseSpeedIsCoarserThanTheCalibrationSaysSetACode) {
+// Without noise a speed that stands still is not known from one that does not change.
+TEST_P(GoodSensors, WhoseSpeedIsCoarserThanTheCalibrationSaysSetNoCode) {
     RunSettings settings;
     settings.manoeuvre = "slalom";
     settings.vehicle = GetParam();
     settings.sensors = make_coarse;
     const RunResult run = drive(settings);
-    EXPECT_EQ(run.confirmed_codes.count(Code::speed_stuck), 1U);
+    EXPECT_TRUE(run.confirmed_codes.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachVehicle, GoodSensors, testing::Values("large_suv", "ordinary_suv", "van"),
