@@ -96,11 +96,6 @@ bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
     return restored;
 }
 
-void Component::withdraw_evidence() {
-    state_.running = false;
-    state_.warning.withdraw_evidence();
-}
-
 // All stages use the body as loaded, with two exceptions: the observer, against which the roll sensor is
 // checked, must not follow what the roll sensor has taught (its check admits more roll under a load, within a
 // bound), and the indices for comparison stay as published.

@@ -59,10 +59,6 @@ class Component {
     // between the load may have changed. False, and without an effect, where it cannot have been learnt.
     [[gnu::cold]] bool restore_load(const LearntLoad& learnt, bool doubted);
 
-    // A sensor's values were wrong until now, and are not in the next step's inputs: the models start from
-    // those, and a warning or advisory is not held beyond what they show.
-    [[gnu::cold]] void withdraw_evidence();
-
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);
 

@@ -233,7 +233,7 @@ typedef struct {
     float opposite_load_transfer_ratio;        /* [-] the largest towards the other side than
                                                   predicted_load_transfer_ratio, 0 to 20 */
     float load_excess;                         /* [-] by which share m_s H is larger than calibrated, as
-                                                  driving has shown, -0.45 to 1; used or not */
+                                                  driving has shown, -0.6 to 1; used or not */
     float load_excess_deviation;               /* [-] standard deviation of it, 0.01 to 0.25 */
     float observed_roll_angle_rad;             /* [rad] roll angle relative to the road, without the roll
                                                   sensor */
@@ -287,7 +287,7 @@ typedef struct {
 
 /* The load as learnt from driving: plain numbers, to be stored without power. */
 typedef struct {
-    float excess;           /* by which share m_s H is larger than calibrated, -0.45 to 1 */
+    float excess;           /* by which share m_s H is larger than calibrated, -0.6 to 1 */
     float excess_deviation; /* standard deviation of it, 0.01 to 0.25 */
     float offset_mps2;      /* added to the force by sensor offsets and a load off the middle, -2 to 2 */
 } rsi_learnt_load;

@@ -83,7 +83,7 @@
            "the largest towards the other side than predicted_load_transfer_ratio, 0 to 20") \
     \
     NUMBER(load_excess, "-", stays, estimate, detail, \
-           "by which share m_s H is larger than calibrated, as driving has shown, -0.45 to 1; used or not") \
+           "by which share m_s H is larger than calibrated, as driving has shown, -0.6 to 1; used or not") \
     NUMBER(load_excess_deviation, "-", stays, estimate, detail, \
            "standard deviation of it, 0.01 to 0.25") \
     \

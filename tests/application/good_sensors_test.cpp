@@ -171,7 +171,7 @@ class VehicleOnABank {
     double upward_mps2_{gravity_mps2};
 };
 
-TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondSetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfABankThatTurnsBy12DegreesInASecondSetNoCode) {
     for (const double side : {1.0, -1.0}) {
         for (const double speed_mps : {12.0, 22.0, 30.0}) {
             for (const double damping : {5.0e3, 8.0e3, 12.0e3}) {
@@ -195,7 +195,7 @@ TEST(GoodSensors, OfABankThatTurnsBy12DegreesInASecondSetNoCode) {
 }
 
 // One side is thrown up: the force that rolls the body heaves it too.
-TEST(GoodSensors, OfABumpUnderOneSideSetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfABumpUnderOneSideSetNoCode) {
     for (const double side : {1.0, -1.0}) {
         Noise noise;
         double rate_radps = 0.0;
@@ -225,7 +225,7 @@ TEST(GoodSensors, OfABumpUnderOneSideSetNoCode) {
     }
 }
 
-TEST(GoodSensors, OfASlalomAtAConstantSpeedSetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfASlalomAtAConstantSpeedSetNoCode) {
     for (const double pulsation : {1.0, 2.0}) {
         for (const double force_mps2 : {3.0, 4.0}) {
             RollPlaneVehicle vehicle{large_suv()};
@@ -242,7 +242,7 @@ TEST(GoodSensors, OfASlalomAtAConstantSpeedSetNoCode) {
 }
 
 // In reverse the yaw rate of a turn has the other sign; the speed has none.
-TEST(GoodSensors, OfAVehicleInReverseSetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfAVehicleInReverseSetNoCode) {
     for (const double speed_mps : {6.0, 8.0, 11.0}) {
         for (const double force_mps2 : {1.5, 2.5, 4.0}) {
             SCOPED_TRACE(speed_mps);
@@ -269,7 +269,7 @@ TEST(GoodSensors, OfAVehicleInReverseSetNoCode) {
 
 // Steady turn on a road that leans into it: what the bank takes from the lateral force it adds to the
 // vertical one.
-TEST(GoodSensors, OfABankedOvalSetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfABankedOvalSetNoCode) {
     for (const double bank_deg : {20.0, 26.0, 31.0}) {
         for (const double beyond_mps2 : {-1.0, 0.0, 4.0}) {
             SCOPED_TRACE(bank_deg);
@@ -307,7 +307,7 @@ TEST(GoodSensors, OfABankedOvalSetNoCode) {
 }
 
 // All wheels in the air, then a hard landing that takes the fall's speed back.
-TEST(GoodSensors, OfAJumpSetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfAJumpSetNoCode) {
     for (const double flight_s : {0.3, 0.5, 0.8}) {
         SCOPED_TRACE(flight_s);
         Noise noise;
@@ -355,7 +355,7 @@ Motion on_a_ferry(double time_s, double& angle_rad) {
     return motion;
 }
 
-TEST(GoodSensors, OfAFerrySetNoCode) {
+TEST(GoodSensorsOnTheRoad, OfAFerrySetNoCode) {
     for (const bool noisy : {true, false}) {
         SCOPED_TRACE(noisy);
         Noise noise;
@@ -374,7 +374,7 @@ TEST(GoodSensors, OfAFerrySetNoCode) {
 }
 
 // Ideal sensors repeat themselves.
-TEST(GoodSensors, WithoutNoiseOfAGentleSlalomSetNoCode) {
+TEST(GoodSensorsOnTheRoad, WithoutNoiseOfAGentleSlalomSetNoCode) {
     for (const double force_mps2 : {2.0, 3.0, 5.0}) {
         for (const double pulsation : {0.8, 1.2, 2.0}) {
             SCOPED_TRACE(force_mps2);
@@ -391,7 +391,7 @@ TEST(GoodSensors, WithoutNoiseOfAGentleSlalomSetNoCode) {
 }
 
 // The yaw rate stays zero while the bank changes the lateral force.
-TEST(GoodSensors, WithoutNoiseOfAStraightOverABankSetNoCode) {
+TEST(GoodSensorsOnTheRoad, WithoutNoiseOfAStraightOverABankSetNoCode) {
     for (const double side : {1.0, -1.0}) {
         double angle_rad = 0.0;
         expect_no_code(

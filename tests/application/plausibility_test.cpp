@@ -355,31 +355,5 @@ TEST(GoodSensors, OfASlalomSetNoCode) {
     }
 }
 
-// After a turn with a warning, which its hold time would keep for a second.
-TEST(WithdrawnEvidence, IsNotHeld) {
-    const auto warned_s = [](double side, bool faulty) {
-        Bench bench;
-        RollPlaneVehicle vehicle{large_suv()};
-        bench.drive([&vehicle, side, faulty](double time_s) {
-            vehicle.advance(side * std::clamp(2.0 * (time_s - 3.0), 0.0,
-                                              std::clamp(7.2 - 20.0 * (time_s - 8.0), 2.0, 7.2)));
-            Motion motion = vehicle.motion();
-            motion.imu.vertical_acceleration_mps2 -= (faulty && time_s > 8.0) ? 7.5F : 0.0F;
-            return motion;
-        });
-        bench.run_for(8.3);
-        EXPECT_EQ(bench.cycles().back().diagnosis.value.code_status == CodeStatus::confirmed, faulty);
-        const std::size_t from = bench.cycles().size();
-        bench.run_for(2.0);
-        return 0.01 * static_cast<double>(std::count_if(
-                          bench.cycles().begin() + static_cast<std::ptrdiff_t>(from), bench.cycles().end(),
-                          [](const auto& cycle) { return cycle.state() == State::warning; }));
-    };
-    for (const double side : {1.0, -1.0}) {
-        EXPECT_GT(warned_s(side, false), 0.6);
-        EXPECT_LE(warned_s(side, true), 0.05);
-    }
-}
-
 }  // namespace
 }  // namespace testing_application

@@ -594,6 +594,23 @@ TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
     }
 }
 
+// A roll sensor of wrong scale teaches the load that explains it.
+TEST_F(AForceVote, ALoadExcusesTheRollMotionByNoLessThanNothingAndAtMost30Percent) {
+    rsi::Parameters suv = parameters();
+    suv.load_adaptation = 1.0F;
+    vote.start(suv);
+    const auto agrees_under = [this](float excess, float force_mps2) {
+        vote.assume_load(excess);
+        alone_after(500, force_mps2, force_mps2, (1.0F + excess) * force_mps2);
+        return vote.roll_motion_agrees();
+    };
+    EXPECT_TRUE(agrees_under(0.3F, 5.0F));
+    EXPECT_TRUE(agrees_under(0.6F, 5.0F));   // 1.2 m/s^2 apart
+    EXPECT_FALSE(agrees_under(0.6F, 7.0F));  // 1.6 m/s^2
+    EXPECT_TRUE(agrees_under(-0.4F, 3.5F));
+    EXPECT_FALSE(agrees_under(-0.4F, 4.0F));
+}
+
 // Half of what makes it the only one, and the others need not agree.
 TEST_F(AForceVote, SuspectsAnAccelerometerBeyondBothOthersBy1500MillimetresPerSecondSquared) {
     EXPECT_FALSE(vote.accelerometer_is_suspect());

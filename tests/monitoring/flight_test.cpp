@@ -62,6 +62,19 @@ TEST_F(AFlight, IsNoneWhenItLastsForMoreThanASecond) {
     EXPECT_FALSE(excuses(500, 0.0F));
 }
 
+// An accelerometer that has lost gravity, on a rough road.
+TEST_F(AFlight, EndsInForcesThatNeverCarryTheVehicle) {
+    for (int times = 0; times < 100; ++times) {
+        excuses(6, 0.5F);
+        excuses(1, 2.0F);
+    }
+    EXPECT_FALSE(excuses(6, 0.5F));
+    EXPECT_FALSE(excuses(29, 10.0F));
+    EXPECT_FALSE(excuses(6, 0.5F));
+    EXPECT_FALSE(excuses(30, 10.0F));
+    EXPECT_TRUE(excuses(6, 0.5F));
+}
+
 TEST_F(AFlight, IsNoneWhenTheVehicleTurns) {
     ASSERT_TRUE(excuses(50, 0.0F));
     EXPECT_FALSE(excuses(1, 0.0F, 3.0F));

@@ -198,6 +198,7 @@ TEST_F(AnInputMonitor, DoesNotBlameTheYawRateOfAVehicleInReverse) {
     const rsi::Parameters suv = rsi_test_large_suv();
     for (const bool stood : {true, false}) {
         memory = {};
+        monitor = {};
         monitor.start(suv);
         turn_at(0.0F);
         inputs.speed_mps = stood ? 0.5F : 2.0F;
@@ -207,6 +208,7 @@ TEST_F(AnInputMonitor, DoesNotBlameTheYawRateOfAVehicleInReverse) {
             inputs.speed_mps += 1.0F;
             run(1);
         }
+        monitor.start(suv);  // after a stall
         inputs.lateral_specific_force_mps2 = 2.5F;
         inputs.yaw_rate_radps = -2.5F / inputs.speed_mps;
         inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 2.5F);

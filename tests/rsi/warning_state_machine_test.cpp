@@ -42,7 +42,6 @@ class Warning {
         machine_.update_unavailable();
         return machine_.state();
     }
-    void withdraw_evidence() { machine_.withdraw_evidence(); }
     rsi_state state() const { return machine_.state(); }
     rsi_side side() const { return machine_.side(); }
 
@@ -172,33 +171,6 @@ TEST(WarningStateMachine, AWarningThatFallsToAnAdvisoryHoldsThatFromThen) {
     EXPECT_EQ(warning.after(0.75F), RSI_STATE_ADVISORY);  // the first of 30 samples
     EXPECT_EQ(warning.after_samples(29, 0.0F), RSI_STATE_ADVISORY);
     EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
-}
-
-TEST(WarningStateMachine, IsNotHeldByWithdrawnEvidence) {
-    rsi_parameters parameters = quick();
-    parameters.warning_hold_s = 10.0F;
-    parameters.advisory_hold_s = 10.0F;
-    Warning warning(parameters);
-    warning.after_samples(10, 1.1F);
-    warning.withdraw_evidence();
-    EXPECT_EQ(warning.after(0.95F), RSI_STATE_WARNING);  // the rest shows one, too
-    EXPECT_EQ(warning.after(0.85F), RSI_STATE_ADVISORY);
-    EXPECT_EQ(warning.after(1.1F), RSI_STATE_WARNING);
-    EXPECT_EQ(warning.after(0.7F), RSI_STATE_ADVISORY);  // never below that level since
-    EXPECT_EQ(warning.after(0.69F), RSI_STATE_READY);
-    warning.after(1.1F);  // new evidence
-    EXPECT_EQ(warning.after_samples(999, 0.0F), RSI_STATE_WARNING);
-}
-
-TEST(WarningStateMachine, AGapEndsAWithdrawalToo) {
-    rsi_parameters parameters = quick();
-    parameters.warning_hold_s = 10.0F;
-    Warning warning(parameters);
-    warning.after_samples(10, 1.1F);
-    warning.withdraw_evidence();
-    warning.after_gap();
-    warning.after(1.1F);
-    EXPECT_EQ(warning.after(0.0F), RSI_STATE_WARNING);
 }
 
 TEST(WarningStateMachine, AWarningNeedsConfirmationWithoutInterruption) {

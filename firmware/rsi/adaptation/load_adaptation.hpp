@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/adaptation/load_regression.hpp"
 #include "rsi/model/vehicle.hpp"
 #include "rsi/numeric/bounded.hpp"
@@ -77,11 +78,10 @@ class LoadAdaptation {
     }
 
     // By how much the roll angle may be larger than the calibrated body's before it is taken for wrong: with
-    // the known mass, or with the used load, up to 1.3, since a roll sensor of wrong scale teaches a load,
-    // too. `moment_arm_kgm`: m_s H of body().
+    // the known mass, or with the used load up to largest_taught_load. `moment_arm_kgm`: m_s H of body().
     float roll_factor(const Constants& constants, float moment_arm_kgm) const {
         return larger(known_mass_factor(constants),
-                      smaller(constants.moment_arm_inverse * moment_arm_kgm, largest_taught_roll_factor));
+                      smaller(constants.moment_arm_inverse * moment_arm_kgm, 1.0F + largest_taught_load));
     }
 
     // Factor on the warning level for the uncertainty of the load, 1 to 1.1.
@@ -94,8 +94,6 @@ class LoadAdaptation {
     [[gnu::cold]] bool restore(const LearntLoad& learnt, bool doubted);
 
  private:
-    static constexpr float largest_taught_roll_factor = 1.3F;
-
     void follow_mass(const Constants& constants, float vehicle_mass_kg);
     void doubt();
 

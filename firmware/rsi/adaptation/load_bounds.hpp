@@ -6,6 +6,8 @@ namespace rsi {
 // Load excess: share by which m_s H exceeds the calibrated one.
 inline constexpr float least_load_excess = -0.6F;  // of a truck that has been emptied
 inline constexpr float largest_load_excess = 1.0F;
+// A load beyond this one is no reason to take a roll sensor for good: one of wrong scale teaches a load, too.
+inline constexpr float largest_taught_load = 0.3F;
 // Standard deviation of the excess before anything is learnt: loads add up to 20 % to a car's m_s H, 100 % to
 // a truck's.
 inline constexpr float largest_load_excess_deviation = 0.25F;

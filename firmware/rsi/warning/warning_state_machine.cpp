@@ -33,7 +33,6 @@ void WarningStateMachine::update_unavailable() {
     held_samples_ = 0U;
     samples_at_warning_level_ = 0U;
     good_samples_ = 0U;
-    withdrawn_ = false;
 }
 
 void WarningStateMachine::enter(rsi_state state) {
@@ -65,7 +64,6 @@ void WarningStateMachine::update(const Constants& constants, const RiskLevel& ri
     }
     count_confirmation(constants, risk);
     enter(next_state(constants, risk));
-    withdrawn_ = withdrawn_ && (risk.indicator >= constants.advisory_off);
     const float level = level_of_state(constants);
     count_hold(level, risk);
     update_side(constants, level, risk);
@@ -91,12 +89,14 @@ rsi_state WarningStateMachine::next_state(const Constants& constants, const Risk
     }
     switch (state_) {
         case RSI_STATE_WARNING:
-            if ((risk.indicator >= constants.warning_off) || is_held(constants.warning_hold_samples)) {
+            if ((risk.indicator >= constants.warning_off) ||
+                (held_samples_ < constants.warning_hold_samples)) {
                 return RSI_STATE_WARNING;
             }
             return (risk.indicator >= constants.advisory_off) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
         case RSI_STATE_ADVISORY:
-            if ((risk.indicator >= constants.advisory_off) || is_held(constants.advisory_hold_samples)) {
+            if ((risk.indicator >= constants.advisory_off) ||
+                (held_samples_ < constants.advisory_hold_samples)) {
                 return RSI_STATE_ADVISORY;
             }
             return RSI_STATE_READY;

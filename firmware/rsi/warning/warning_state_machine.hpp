@@ -38,10 +38,6 @@ class WarningStateMachine {
     // have been good for recovery_s.
     void update(const Constants& constants, const RiskLevel& risk);
 
-    // The evidence so far has been withdrawn: the state is held no longer, and follows the indicator until it
-    // has been below advisory_off.
-    void withdraw_evidence() { withdrawn_ = true; }
-
     rsi_state state() const { return state_; }
     rsi_side side() const { return side_; }
 
@@ -51,7 +47,6 @@ class WarningStateMachine {
     float level_of_state(const Constants& constants) const;
     void count_hold(float level, const RiskLevel& risk);
     void count_confirmation(const Constants& constants, const RiskLevel& risk);
-    bool is_held(std::uint32_t hold_samples) const { return !withdrawn_ && (held_samples_ < hold_samples); }
     rsi_state next_state(const Constants& constants, const RiskLevel& risk) const;
     void update_side(const Constants& constants, float level, const RiskLevel& risk);
     rsi_side next_side(const Constants& constants, float level, const RiskLevel& risk) const;
@@ -61,7 +56,6 @@ class WarningStateMachine {
     std::uint32_t held_samples_{};  // since the last at the level of the state, that one included
     std::uint32_t samples_at_warning_level_{};
     std::uint32_t good_samples_{};
-    bool withdrawn_{false};
 };
 
 }  // namespace rsi

@@ -104,9 +104,6 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
 
     inputs_ = qualified(inputs, report.reception, missed_cycles);
     memory_.report(monitoring::DiagnosticCode::memory_restored, component_guard_.restore(component_));
-    if (input_monitor_.has_withdrawn()) {
-        component_.withdraw_evidence();
-    }
     component_.step(inputs_, outputs_);
     const bool healthy = check_itself();
     component_guard_.keep(component_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "rsi/numeric/bounded.hpp"
+#include "rsi/types.hpp"
 
 namespace rsi::monitoring {
 
@@ -14,6 +15,13 @@ class Flight {
  public:
     // One sample; a force that is not finite is none of a flight.
     void update(float vertical_force_mps2, float lateral_force_mps2) noexcept {
+        calm_samples_ = (vertical_force_mps2 > 0.5F * rsi::gravity_mps2) ? calm_samples_ + 1U : 0U;
+        if (calm_samples_ >= enough_calm) {
+            calm_samples_ = enough_calm;
+            excused_samples_ = 0U;
+        }
+        samples_left_ = (excused_samples_ < most_excused) ? samples_left_ : 0U;
+        excused_samples_ += (samples_left_ > 0U) ? 1U : 0U;
         if (!rsi::is_within_magnitude(vertical_force_mps2, weightless_mps2)) {
             in_air_samples_ = 0U;
             samples_left_ -= (samples_left_ > 0U) ? 1U : 0U;
@@ -25,7 +33,8 @@ class Flight {
             return;
         }
         in_air_samples_ += 1U;
-        samples_left_ = (in_air_samples_ >= shortest_flight) ? landing_samples : samples_left_;
+        const bool flies = (in_air_samples_ >= shortest_flight) && (excused_samples_ < most_excused);
+        samples_left_ = flies ? landing_samples : samples_left_;
     }
 
     bool excuses() const noexcept { return samples_left_ > 0U; }
@@ -35,9 +44,14 @@ class Flight {
     static constexpr std::uint32_t shortest_flight = 5U;  // a wheel that drops into a hole is none
     static constexpr std::uint32_t longest_flight = 100U;
     static constexpr std::uint32_t landing_samples = 100U;
+    // Several in a row, as over a rough road; then it must have carried the vehicle for as long as this.
+    static constexpr std::uint32_t most_excused = 400U;
+    static constexpr std::uint32_t enough_calm = 30U;
 
     std::uint32_t in_air_samples_{0U};
     std::uint32_t samples_left_{0U};
+    std::uint32_t calm_samples_{0U};
+    std::uint32_t excused_samples_{0U};
 };
 
 }  // namespace rsi::monitoring

@@ -37,6 +37,7 @@ class ForceVote {
         const float used = used_load_share_ * excess;
         if (rsi::is_within(used, rsi::least_load_excess, rsi::largest_load_excess)) {
             held_share_ = 1.0F / (1.0F + used);
+            excused_share_ = 1.0F / (1.0F + rsi::clamp(used, 0.0F, rsi::largest_taught_load));
         }
     }
 
@@ -48,7 +49,7 @@ class ForceVote {
         const float imu = (imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps) / lag_s;
         const float inertia = (force_per_acceleration_m_ / lag_s) * inputs.roll_rate_radps;
         const float damping = force_per_rate_mps_ * inputs.roll_rate_radps;
-        const float held = held_share_ * (force_per_angle_mps2_ * inputs.roll_angle_rad + damping);
+        const float held = force_per_angle_mps2_ * inputs.roll_angle_rad + damping;
         // The dampers feel the body's rate against the road: that of the angle. The roll rate has the bank's
         // as well, which a road that twists makes as large as that.
         const float road_damping = (force_per_rate_mps_ / lag_s) * inputs.roll_angle_rad;
@@ -63,19 +64,22 @@ class ForceVote {
         if (!knew) {  // no contradiction yet
             shown_ = by_yaw + imu;
             by_yaw_ = by_yaw;
-            by_roll_ = by_yaw - inertia;
+            held_ = by_yaw;
+            inertia_ = inertia;
             by_bank_ = road_damping;
         }
         const float ahead = (latest_s / lag_s) * (inputs.lateral_specific_force_mps2 + imu - shown_);
         follow(inputs.lateral_specific_force_mps2 + imu, shown_);
         follow(by_yaw, by_yaw_);
-        follow(held - inertia, by_roll_);
+        follow(held, held_);
+        follow(inertia, inertia_);
         follow(damping + road_damping, by_bank_);
         const float shown = shown_ - imu;
-        forces_ = LateralForces{shown, shown + ahead, by_yaw_, by_roll_ + inertia};
+        const float rolling = inertia - inertia_;
+        forces_ = LateralForces{shown, shown + ahead, by_yaw_, held_share_ * held_ + rolling};
         against_yaw_mps2_ = forces_.shown_mps2 - forces_.by_yaw_mps2;
         against_roll_mps2_ = forces_.shown_mps2 - forces_.by_roll_mps2;
-        against_road_mps2_ = against_roll_mps2_ + held_share_ * (by_bank_ - road_damping);
+        against_road_mps2_ = shown - rolling - excused_share_ * (held_ - (by_bank_ - road_damping));
     }
 
     // Whether the last sample was one; then the three forces.
@@ -120,13 +124,16 @@ class ForceVote {
     float force_per_acceleration_m_{rsi::not_available};
     float used_load_share_{0.0F};
     float held_share_{1.0F};  // of the force that would roll the calibrated body as far
+    // The same, where the roll sensor may itself have taught the load.
+    float excused_share_{1.0F};
     float imu_x_m_{0.0F};
     float imu_z_m_{0.0F};
     bool known_{false};
     // Means with this lag, the first and the third with what makes a rate of change of them.
     float shown_{0.0F};
     float by_yaw_{0.0F};
-    float by_roll_{0.0F};
+    float held_{0.0F};
+    float inertia_{0.0F};
     float by_bank_{0.0F};  // damping by the roll rate, and by the angle less what the lag has followed
     LateralForces forces_{};
     float against_yaw_mps2_{0.0F};

@@ -75,9 +75,11 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     // A code outlives a stall, and so must what it was set for.
     const OfRoll wrong_of_roll = wrong_of_roll_;
     const ForceGain force_gain = force_gain_;
+    const TravelDirection direction = direction_;  // a stall turns no vehicle round
     *this = InputMonitor{};
     wrong_of_roll_ = wrong_of_roll;
     force_gain_ = force_gain;
+    direction_ = direction;
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
     if (parameters.speed_resolution_mps > largest_fine_step_mps) {
@@ -103,8 +105,6 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     seen |= observer_symptoms(inputs, before);
     judge(seen, memory);
     const CodeSet confirmed = memory.confirmed_codes();
-    withdrawn_ = ((confirmed & ~confirmed_before_) & withdrawing_codes) != 0U;
-    confirmed_before_ = confirmed;
     if (confirmed != 0U) {
         if (!contradicted && ((confirmed & roll_contradictions) != 0U)) {
             wrong_of_roll_ = wrong_of(isolation_symptoms(references));

@@ -41,9 +41,6 @@ class InputMonitor {
     rsi::Inputs qualify(const rsi::Inputs& inputs, const FreshFrames& fresh, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
 
-    // Whether the last cycle was the first to leave out a signal for a code.
-    bool has_withdrawn() const noexcept { return withdrawn_; }
-
  private:
     rsi::Inputs check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
                            DiagnosticMemory& memory) noexcept;
@@ -110,8 +107,6 @@ class InputMonitor {
     float turned_rad_{0.0F};  // integral of the roll rate, as a reference
     // The faulty one of roll rate and roll angle, as long as they contradict each other.
     OfRoll wrong_of_roll_{otherwise_wrong};
-    CodeSet confirmed_before_{0U};
-    bool withdrawn_{false};
 };
 
 }  // namespace rsi::monitoring

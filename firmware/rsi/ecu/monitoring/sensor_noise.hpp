@@ -6,7 +6,8 @@
 namespace rsi::monitoring {
 
 // A signal that moves smoothly, as an ideal or a filtered one, may as well stand still. Only noise turns it
-// back from one sample to the next, again and again.
+// back from one sample to the next, again and again within a short time. Values that are held for several
+// samples never do.
 class SensorNoise {
  public:
     // One sample; one that is not finite is none.
@@ -15,7 +16,9 @@ class SensorNoise {
             return;
         }
         const float change = value - value_;
-        turns_ += (change * change_ < 0.0F) ? 1U : 0U;
+        const bool turns = change * change_ < 0.0F;
+        samples_ = turns ? 0U : samples_ + 1U;
+        turns_ = (samples_ > longest_between) ? 0U : turns_ + (turns ? 1U : 0U);
         value_ = value;
         change_ = change;
     }
@@ -24,10 +27,12 @@ class SensorNoise {
 
  private:
     static constexpr std::uint32_t enough_turns = 3U;
+    static constexpr std::uint32_t longest_between = 20U;  // samples from one turn to the next
 
     float value_{0.0F};
     float change_{0.0F};
     std::uint32_t turns_{0U};
+    std::uint32_t samples_{0U};
 };
 
 }  // namespace rsi::monitoring

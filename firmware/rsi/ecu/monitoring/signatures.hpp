@@ -193,14 +193,4 @@ constexpr CodeSet find_no_reference_codes() noexcept {
 }
 inline constexpr CodeSet no_reference_codes = find_no_reference_codes();
 
-// Codes of faults of a signal whose values have been used until then.
-constexpr CodeSet find_withdrawing_codes() noexcept {
-    CodeSet all = roll_contradictions;
-    for (const Consequence& each : consequences) {
-        all |= each.not_used;
-    }
-    return all;
-}
-inline constexpr CodeSet withdrawing_codes = find_withdrawing_codes();
-
 }  // namespace rsi::monitoring

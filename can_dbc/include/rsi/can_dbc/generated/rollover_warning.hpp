@@ -1524,7 +1524,7 @@ struct LearntLoad {
     static constexpr bool has_sources{true};
     static constexpr std::uint16_t e2e_data_id{0xDBDU};
 
-    // By which share sprung mass times its height above the roll centre is larger than calibrated. Dimensionless, -0.5 to 1.5.
+    // By which share sprung mass times its height above the roll centre is larger than calibrated. Dimensionless, -0.6 to 1.5.
     float load_excess{not_available};
     // Standard deviation of the learnt load excess. Dimensionless, 0 to 0.5.
     float load_excess_deviation{not_available};
@@ -1541,8 +1541,8 @@ struct LearntLoad {
 
     struct Signals {
         static constexpr PhysicalSignal<std::int32_t> load_excess{
-            {ByteOrder::little_endian, 16U, 12U, true}, 1.0F, 0.0F, 1000.0F, -0.5F, 1.5F,
-            -500, 1500, -2048, true};
+            {ByteOrder::little_endian, 16U, 12U, true}, 1.0F, 0.0F, 1000.0F, -0.6F, 1.5F,
+            -600, 1500, -2048, true};
         static constexpr PhysicalSignal<std::int32_t> load_excess_deviation{
             {ByteOrder::little_endian, 28U, 12U, false}, 1.0F, 0.0F, 5000.0F, 0.0F, 0.5F,
             0, 2500, 4095, true};
