@@ -32,6 +32,12 @@ class AnInputMonitor : public ::testing::Test {
         before.roll_source = RSI_ROLL_SENSOR;
     }
 
+    void start_anew(const rsi::Parameters& parameters) {
+        memory = {};
+        monitor = {};
+        monitor.start(parameters);
+    }
+
     void turn_at(float lateral_mps2) {
         inputs.lateral_specific_force_mps2 = lateral_mps2;
         inputs.yaw_rate_radps = lateral_mps2 / inputs.speed_mps;
@@ -197,9 +203,7 @@ TEST_F(AnInputMonitor, BlamesAVerticalAccelerationThatIsZeroForLongerThanAJump) 
 TEST_F(AnInputMonitor, DoesNotBlameTheYawRateOfAVehicleInReverse) {
     const rsi::Parameters suv = rsi_test_large_suv();
     for (const bool stood : {true, false}) {
-        memory = {};
-        monitor = {};
-        monitor.start(suv);
+        start_anew(suv);
         turn_at(0.0F);
         inputs.speed_mps = stood ? 0.5F : 2.0F;
         inputs.roll_angle_rad = 0.0F;
@@ -883,9 +887,7 @@ TEST_F(AnInputMonitorOfASlowVehicle, DoesNotJudgeALateralAccelerationWithoutASpe
 TEST_F(AnInputMonitorOfASlowVehicle, TakesADeckThatTurnsForNoFaultOfTheRollRate) {
     const rsi::Parameters suv = rsi_test_large_suv();
     for (const bool shown : {true, false}) {
-        memory = {};
-        monitor = {};
-        monitor.start(suv);
+        start_anew(suv);
         float bank_rad = 0.0F;
         for (int cycle = 0; cycle < 300; ++cycle) {
             const bool twists = cycle >= 100 && cycle < 200;

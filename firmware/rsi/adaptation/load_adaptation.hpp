@@ -6,6 +6,7 @@
 
 #include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/adaptation/load_regression.hpp"
+#include "rsi/measurement/plausible_motion.hpp"
 #include "rsi/model/vehicle.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/saturating_count.hpp"
@@ -18,7 +19,7 @@ class LongStop {
  public:
     // One sample. True once in each long stop, when its 60 s have passed.
     bool begins(float speed_mps) {
-        if (!is_within_magnitude(speed_mps, largest_speed_mps)) {
+        if (!is_within_magnitude(speed_mps, largest_plausible_speed_mps)) {
             return false;
         }
         if (absolute(speed_mps) >= standing_mps) {
@@ -32,7 +33,6 @@ class LongStop {
     bool is_standing() const { return samples_ > 0U; }
 
  private:
-    static constexpr float largest_speed_mps = 150.0F;
     static constexpr float standing_mps = 0.5F;
     static constexpr float long_stop_s = 60.0F;
     static constexpr std::uint32_t first_long_sample =

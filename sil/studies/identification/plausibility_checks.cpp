@@ -218,9 +218,8 @@ class Warnings {
         const double lean_mps2 = g_mps2 * std::tan(lift_rad);
         const double whole_nm = 0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m;
         // At the computed lift: (m_s h + m_u h_u) A + m_s H g tan phi = whole_nm.
-        const double parallel_mps2 = (whole_nm - vehicle.sprung_mass_kg * result_.roll.arm_m * lean_mps2) /
-                                     (vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m +
-                                      vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m);
+        const double parallel_mps2 =
+            (whole_nm - vehicle.sprung_mass_kg * result_.roll.arm_m * lean_mps2) / height_moment_kgm(vehicle);
         const double more = vehicle.sprung_mass_kg * higher_m * (parallel_mps2 + lean_mps2) / whole_nm;
         warn(
             "without wheel loads nothing checks these heights: the sprung CG's, {:.3f} m of the vehicle "
@@ -371,8 +370,7 @@ class Warnings {
             if (value.refused) {
                 warn(
                     "{} would be {:.4g}, {}, {:.4g}, is written. Check the vehicle data, and the drives' "
-                    "signs "
-                    "and units",
+                    "signs and units",
                     value.key, *value.refused, outside_admitted, value.value);
             }
         }

@@ -106,9 +106,7 @@ bool shows_the_limit(const PreparedDrive& ramp) {
 // The tyres carry the whole vehicle sideways, (m_s h + m_u h_u) A against m g c_w/2. A body that leans lifts
 // its wheels below this.
 double lift_without_lean_mps2(const VehicleData& vehicle) {
-    return g_mps2 * 0.5 * vehicle.track_width_m * vehicle.total_mass_kg /
-           (vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m +
-            vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m);
+    return g_mps2 * 0.5 * vehicle.track_width_m * vehicle.total_mass_kg / height_moment_kgm(vehicle);
 }
 
 }  // namespace

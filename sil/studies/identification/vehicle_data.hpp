@@ -38,6 +38,12 @@ inline double static_stability_factor(const VehicleData& vehicle) {
     return vehicle.track_width_m / (2.0 * vehicle.sprung_cg_height_m);
 }
 
+// m_s h + m_u h_u, of the whole vehicle.
+inline double height_moment_kgm(const VehicleData& vehicle) {
+    return vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m +
+           vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m;
+}
+
 // The keys are those of docs/calibration.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
 // a setting replaces the file's value. Throws InputError.
 VehicleData load_vehicle_data(const std::filesystem::path& file,

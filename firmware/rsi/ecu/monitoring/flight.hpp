@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "rsi/numeric/bounded.hpp"
+#include "rsi/numeric/saturating_count.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi::monitoring {
@@ -15,9 +16,12 @@ class Flight {
  public:
     // One sample; a force that is not finite is none of a flight.
     void update(float vertical_force_mps2, float lateral_force_mps2) noexcept {
-        calm_samples_ = (vertical_force_mps2 > 0.5F * rsi::gravity_mps2) ? calm_samples_ + 1U : 0U;
+        if (vertical_force_mps2 > 0.5F * rsi::gravity_mps2) {
+            rsi::count_up(calm_samples_);
+        } else {
+            calm_samples_ = 0U;
+        }
         if (calm_samples_ >= enough_calm) {
-            calm_samples_ = enough_calm;
             excused_samples_ = 0U;
         }
         samples_left_ = (excused_samples_ < most_excused) ? samples_left_ : 0U;

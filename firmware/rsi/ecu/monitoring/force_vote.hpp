@@ -37,7 +37,6 @@ class ForceVote {
         const float used = used_load_share_ * excess;
         if (rsi::is_within(used, rsi::least_load_excess, rsi::largest_load_excess)) {
             held_share_ = 1.0F / (1.0F + used);
-            excused_share_ = 1.0F / (1.0F + rsi::clamp(used, 0.0F, rsi::largest_taught_load));
         }
     }
 
@@ -79,7 +78,9 @@ class ForceVote {
         forces_ = LateralForces{shown, shown + ahead, by_yaw_, held_share_ * held_ + rolling};
         against_yaw_mps2_ = forces_.shown_mps2 - forces_.by_yaw_mps2;
         against_roll_mps2_ = forces_.shown_mps2 - forces_.by_roll_mps2;
-        against_road_mps2_ = shown - rolling - excused_share_ * (held_ - (by_bank_ - road_damping));
+        // The roll sensor may itself have taught the load.
+        const float excused_share = rsi::clamp(held_share_, 1.0F / (1.0F + rsi::largest_taught_load), 1.0F);
+        against_road_mps2_ = shown - rolling - excused_share * (held_ - (by_bank_ - road_damping));
     }
 
     // Whether the last sample was one; then the three forces.
@@ -124,13 +125,11 @@ class ForceVote {
     float force_per_acceleration_m_{rsi::not_available};
     float used_load_share_{0.0F};
     float held_share_{1.0F};  // of the force that would roll the calibrated body as far
-    // The same, where the roll sensor may itself have taught the load.
-    float excused_share_{1.0F};
     float imu_x_m_{0.0F};
     float imu_z_m_{0.0F};
     bool known_{false};
-    // Means with this lag, the first and the third with what makes a rate of change of them.
-    float shown_{0.0F};
+    // Means with this lag.
+    float shown_{0.0F};  // with what makes a rate of change of it
     float by_yaw_{0.0F};
     float held_{0.0F};
     float inertia_{0.0F};

@@ -169,12 +169,14 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     const float sum = turned_rad_ + rsi::sample_time_s * inputs.roll_rate_radps;
     const float turned = rsi::is_within_magnitude(sum, 5.0F) ? sum : rsi::not_available;
     turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
-    const auto report = [&memory](DiagnosticCode code, auto& check, auto... signals) noexcept {
-        const bool stuck = check.is_stuck(signals...);
-        // An inactive or missing reference does not clear a value that repeats itself.
+    // An inactive or missing reference does not clear a value that repeats itself.
+    const auto report_as = [&memory](DiagnosticCode code, bool stuck, const auto& check) noexcept {
         if (stuck || check.moves()) {
             memory.report(code, stuck);
         }
+    };
+    const auto report = [&report_as](DiagnosticCode code, auto& check, auto... signals) noexcept {
+        report_as(code, check.is_stuck(signals...), check);
     };
     report(DiagnosticCode::lateral_acceleration_stuck, lateral_stuck_, lateral, turn);
     report(DiagnosticCode::vertical_acceleration_stuck, vertical_stuck_, inputs.vertical_specific_force_mps2,
@@ -185,10 +187,8 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     // Either alone would hold a bank, or a wrong roll rate, against the yaw rate.
     const bool untilted =
         yaw_rate_untilted_.is_stuck(inputs.yaw_rate_radps, lateral - rsi::gravity_mps2 * turned);
-    const bool yaw_stuck = yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral) && untilted;
-    if (yaw_stuck || yaw_rate_stuck_.moves()) {
-        memory.report(DiagnosticCode::yaw_rate_stuck, yaw_stuck);
-    }
+    const bool level = yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral);
+    report_as(DiagnosticCode::yaw_rate_stuck, level && untilted, yaw_rate_stuck_);
     speed_noise_.update(inputs.speed_mps);
     report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps,
            speed_noise_.is_known() ? turn : rsi::not_available);

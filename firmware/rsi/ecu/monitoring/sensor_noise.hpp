@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "rsi/numeric/saturating_count.hpp"
+
 namespace rsi::monitoring {
 
 // A signal that moves smoothly, as an ideal or a filtered one, may as well stand still. Only noise turns it
@@ -17,8 +19,13 @@ class SensorNoise {
         }
         const float change = value - value_;
         const bool turns = change * change_ < 0.0F;
-        samples_ = turns ? 0U : samples_ + 1U;
-        turns_ = (samples_ > longest_between) ? 0U : turns_ + (turns ? 1U : 0U);
+        if (turns) {
+            samples_ = 0U;
+            turns_ += 1U;
+        } else {
+            rsi::count_up(samples_);
+            turns_ = (samples_ > longest_between) ? 0U : turns_;
+        }
         value_ = value;
         change_ = change;
     }

@@ -18,8 +18,7 @@ class VerticalOffset {
                 float bank_rad) noexcept {
         const float beyond_gravity = vertical_force_mps2 - rsi::gravity_mps2;
         const float level = -lateral_force_mps2 * roll_angle_rad;
-        const float banked = level - turn_mps2 * bank_rad;
-        const float pressed = (banked > level) ? banked : level;
+        const float pressed = rsi::larger(level - turn_mps2 * bank_rad, level);
         const float difference = beyond_gravity - rsi::clamp(beyond_gravity, level, pressed);
         known_ = rsi::is_finite(difference) && rsi::is_within_magnitude(roll_angle_rad, 0.2F) &&
                  rsi::is_within_magnitude(lateral_force_mps2, 11.0F);
