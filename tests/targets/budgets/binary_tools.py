@@ -17,7 +17,12 @@ def call_graphs(archive, folder):
     """Texts of the call graphs (.ci in `folder`) of the objects that are in the archive, not of what was there once."""
     members = run("ar", "t", archive).split()
     graphs = {path.name: path for path in folder.rglob("*.ci")}
-    return [graphs[member.removesuffix(".obj") + ".ci"].read_text() for member in members]
+    wanted = [member.removesuffix(".obj") + ".ci" for member in members]
+    missing = [name for name in wanted if name not in graphs]
+    if missing:
+        raise FileNotFoundError(f"{missing[0]} is not below {folder}, though its object is in {archive}. A compiler cache "
+                                "keeps no call graphs: build without CMAKE_CXX_COMPILER_LAUNCHER")
+    return [graphs[name].read_text() for name in wanted]
 
 
 def demangled(names):

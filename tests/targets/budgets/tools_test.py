@@ -326,6 +326,9 @@ class CallGraphs(unittest.TestCase):
             binary_tools.run("ar", "rc", here / "lib.a", here / "kept.cpp.obj")
             graph = call_graph.CallGraph(binary_tools.call_graphs(here / "lib.a", here))
             self.assertEqual(graph.bytes, {"kept": 8})
+            (here / "kept.cpp.ci").unlink()  # as a compiler cache leaves it
+            with self.assertRaisesRegex(FileNotFoundError, "kept.cpp.ci is not below .* build without"):
+                binary_tools.call_graphs(here / "lib.a", here)
 
 
 class ExportedBuild(unittest.TestCase):
