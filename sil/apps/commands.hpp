@@ -9,7 +9,7 @@ namespace sil {
 void add_campaign(CLI::App& app);
 void add_fault_search_command(CLI::App& app);
 void add_fault_states_command(CLI::App& app);
-void add_faults_command(CLI::App& app);  // and `endurance`
+void add_faults_command(CLI::App& app);  // and `endurance`, `intermittent-faults`
 void add_memory_flips_command(CLI::App& app);
 void add_parameters_command(CLI::App& app);
 void add_population_command(CLI::App& app);

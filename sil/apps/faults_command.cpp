@@ -16,8 +16,10 @@
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/file_io.hpp"
 #include "sil/simulation/pace.hpp"
+#include "sil/studies/campaign/settings.hpp"
 #include "sil/studies/faults/endurance.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
+#include "sil/studies/faults/intermittent.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
@@ -144,6 +146,55 @@ void add_endurance(CLI::App& app) {
     command->callback([request] { run_hours(*request); });
 }
 
+struct IntermittentRequest {
+    std::size_t sample{400U};
+    std::filesystem::path document;
+    std::filesystem::path checked;
+};
+
+std::vector<IntermittentRun> inject_bursts(std::size_t most_runs) {
+    std::vector<IntermittentVehicle> vehicles;
+    for (const CampaignVehicle& each : load_campaign("sil/studies/faults/search.toml").vehicles) {
+        vehicles.push_back({std::filesystem::path{each.parameters}.stem().string(),
+                            load_vehicle(each.parameters), load_calibration(each.calibration)});
+    }
+    const std::vector<IntermittentRun> runs = run_intermittent_faults(vehicles, most_runs, [](double share) {
+        tell(fmt::format("\rbursts of every signal: {:3.0f} %", share * 100.0));
+    });
+    tell("\n");
+    const std::vector<std::string> found = intermittent_shortfalls(runs);
+    if (!found.empty()) {
+        throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
+    }
+    return runs;
+}
+
+void run_intermittent(const IntermittentRequest& request) {
+    const std::string sample = intermittent_row("sample", inject_bursts(request.sample));
+    fmt::print("{}", sample);
+    if (!request.document.empty()) {
+        const std::vector<IntermittentRun> all = inject_bursts(0U);
+        write_file_atomically(request.document,
+                              intermittent_document(all, sample + intermittent_row("all", all)));
+    }
+    if (!request.checked.empty() && read_whole_file(request.checked).find(sample) == std::string::npos) {
+        throw std::runtime_error(
+            fmt::format("{} does not hold this row; sil/studies/faults/run --intermittent renews it",
+                        request.checked.string()));
+    }
+}
+
+void add_intermittent(CLI::App& app) {
+    const auto request = std::make_shared<IntermittentRequest>();
+    CLI::App* command = app.add_subcommand(
+        "intermittent-faults", "Bursts of an error in each signal, in everyday driving, in process");
+    command->add_option("--sample", request->sample, "How many runs, evenly spread; 0: all")
+        ->capture_default_str();
+    command->add_option("--document", request->document, "Run all, and write the page");
+    command->add_option("--check", request->checked, "A page that must hold the sample's row");
+    command->callback([request] { run_intermittent(*request); });
+}
+
 }  // namespace
 
 void add_faults_command(CLI::App& app) {
@@ -154,6 +205,7 @@ void add_faults_command(CLI::App& app) {
     add_page_options(*command, request->page);
     command->callback([request] { run_faults(*request); });
     add_endurance(app);
+    add_intermittent(app);
 }
 
 }  // namespace sil

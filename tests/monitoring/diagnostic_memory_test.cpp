@@ -93,6 +93,14 @@ class ADiagnosticMemory : public ::testing::Test {
     DiagnosticMemory memory;
 };
 
+TEST_F(ADiagnosticMemory, ConfirmsAtOnceWhatWasDebouncedElsewhere) {
+    memory.confirm(DiagnosticCode::speed_jump);
+    EXPECT_TRUE(memory.confirmed(DiagnosticCode::speed_jump));
+    EXPECT_EQ(memory.next().code, DiagnosticCode::speed_jump);
+    report(DiagnosticCode::speed_jump, false, 50);  // and heals as any other
+    EXPECT_EQ(memory.status(DiagnosticCode::speed_jump), EventStatus::healed);
+}
+
 TEST_F(ADiagnosticMemory, ConfirmsAndHealsEachCodeAfterTheStatedCycles) {
     std::set<DiagnosticCode> codes;
     for (const StatedDebounce& stated : stated_debounces) {

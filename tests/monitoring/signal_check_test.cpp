@@ -361,6 +361,120 @@ TEST_F(ASignalCheck, BridgesASingleValueThatIsOffHoweverFar) {
     }
 }
 
+// Steps of more than 5 in a cycle, as of the accelerations.
+class AStep : public ::testing::Test {
+ protected:
+    float qualify(float value, int times = 1, bool calm = true) {
+        float answer = nan;
+        for (int cycle = 0; cycle < times; ++cycle) {
+            answer = check.qualify(value, memory, {0.0F, 0.0F, calm});
+        }
+        return answer;
+    }
+    EventStatus status() const { return memory.status(DiagnosticCode::speed_jump); }
+    void burst(int cycles, float value = 8.0F) {
+        qualify(value, cycles);
+        qualify(0.0F);
+    }
+
+    rsi::monitoring::SignalCheck check{
+        {-40.0F, 40.0F, 12.0F, 100.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump, 5.0F}};
+    rsi::monitoring::DiagnosticMemory memory;
+};
+
+TEST_F(AStep, OfACalmVehicleIsUsedAfter150Milliseconds) {
+    qualify(0.0F, 5);
+    EXPECT_EQ(qualify(5.0F), 5.0F);
+    EXPECT_EQ(qualify(0.0F), 0.0F);
+    for (int cycle = 0; cycle < 15; ++cycle) {
+        EXPECT_EQ(qualify(5.1F), 0.0F) << cycle;
+    }
+    EXPECT_EQ(qualify(5.1F), 5.1F);
+    EXPECT_EQ(qualify(5.2F), 5.2F);
+    EXPECT_EQ(status(), EventStatus::none);
+}
+
+TEST_F(AStep, OfAVehicleThatMovesIsUsedAtOnce) {
+    for (const float step : {8.0F, -8.0F}) {
+        check.forget();
+        qualify(0.0F, 5);
+        EXPECT_EQ(qualify(step, 3), 0.0F);
+        EXPECT_EQ(qualify(step, 1, false), step);
+        EXPECT_EQ(check.last_good(), step);
+    }
+}
+
+TEST_F(AStep, ThatComesBackWhileTheVehicleMovesIsNoBurst) {
+    qualify(0.0F, 5);
+    for (int number = 1; number <= 5; ++number) {
+        EXPECT_EQ(qualify(8.0F, 10), 0.0F);
+        EXPECT_EQ(qualify(0.0F, 10, false), 0.0F);
+    }
+    EXPECT_EQ(status(), EventStatus::none);
+}
+
+TEST_F(AStep, ThatComesBackIsABurstAndTheThirdOneConfirmsTheCode) {
+    qualify(0.0F, 5);
+    for (int number = 1; number <= 2; ++number) {
+        burst(10);
+        EXPECT_EQ(status(), EventStatus::none) << number;
+        EXPECT_EQ(qualify(0.0F, 2000), 0.0F);
+    }
+    EXPECT_EQ(qualify(8.0F, 10), 0.0F);
+    EXPECT_TRUE(std::isnan(qualify(0.0F)));
+    EXPECT_EQ(status(), EventStatus::confirmed);
+    EXPECT_TRUE(std::isnan(qualify(0.0F, 49)));
+    EXPECT_EQ(qualify(0.0F), 0.0F);
+    EXPECT_EQ(status(), EventStatus::healed);
+    burst(2);
+    EXPECT_EQ(status(), EventStatus::confirmed);  // the next one is known at once
+}
+
+TEST_F(AStep, AMinuteAfterTheLastBurstIsTheFirstOneAgain) {
+    for (const int samples : {5999, 6000}) {  // from the end of one burst to that of the next
+        check.forget();
+        memory = {};
+        qualify(0.0F, 10000);
+        for (int number = 1; number <= 3; ++number) {
+            qualify(0.0F, samples - 11);
+            burst(10);
+        }
+        EXPECT_EQ(status(), samples < 6000 ? EventStatus::confirmed : EventStatus::none);
+    }
+}
+
+TEST_F(AStep, ThatStaysIsNoBurst) {
+    qualify(0.0F, 5);
+    for (int number = 0; number < 10; ++number) {
+        qualify(8.0F, 100);
+        qualify(0.0F, 100);
+    }
+    EXPECT_EQ(status(), EventStatus::none);
+}
+
+TEST_F(AStep, BeyondRangeOrJumpIsABurstTooIfItIsTooShortForTheCode) {
+    for (const float value : {41.0F, 20.0F}) {
+        qualify(0.0F, 7000);  // longer than bursts are remembered
+        memory = {};
+        for (int number = 1; number <= 3; ++number) {
+            EXPECT_EQ(memory.next().occurrences, 0U) << number;
+            burst(2, value);
+            qualify(0.0F, 100);
+        }
+        EXPECT_EQ(status(), EventStatus::healed) << value;
+    }
+}
+
+TEST_F(AStep, IsForgottenWithALostFrame) {
+    qualify(0.0F, 5);
+    for (int number = 1; number <= 5; ++number) {
+        qualify(8.0F, 10);
+        check.forget();
+        EXPECT_EQ(qualify(0.0F, 10), 0.0F);
+    }
+    EXPECT_EQ(status(), EventStatus::none);
+}
+
 TEST_F(ASignalOfTheInputMonitor, RollAngleJumpsByMoreOrLessThanTheRollRateSays) {
     constexpr float turned_rad = 0.02F;  // in a cycle, at 2 rad/s
     for (const float sign : {1.0F, -1.0F}) {

@@ -24,6 +24,11 @@ constexpr double share_that_stays = 0.5;
 constexpr double shortest_s = 0.05;
 constexpr double longest_s = 5.0;
 
+constexpr double share_intermittent = 0.15;
+constexpr double shortest_burst_s = 0.02;
+constexpr double longest_burst_s = 0.3;
+constexpr double longest_period_s = 3.0;
+
 // Factors on the sizes of the matrix.
 constexpr double smallest_size = 0.25;
 constexpr double largest_size = 8.0;
@@ -118,6 +123,11 @@ SearchScenario FaultSearch::draw(std::uint64_t number, const SearchDrive& drive)
     const std::size_t lasts = cycle_count(logarithmic(chance, shortest_s, longest_s));
     const std::size_t size = drive.drive.samples.size();
     scenario.end = stays ? size : std::min(size, scenario.begin + lasts);
+    if (chance.between(0.0, 1.0) < share_intermittent) {
+        scenario.burst = cycle_count(logarithmic(chance, shortest_burst_s, longest_burst_s));
+        scenario.period = scenario.burst + cycle_count(logarithmic(chance, longest_burst_s, longest_period_s));
+        scenario.end = size;
+    }
     return scenario;
 }
 
@@ -149,6 +159,8 @@ FaultSearch::Injection FaultSearch::inject(std::uint64_t number) const {
     injection.drive = recorded.drive;
     injection.drive.fault_begin = injection.scenario.begin;
     injection.drive.fault_end = injection.scenario.end;
+    injection.drive.fault_period = injection.scenario.period;
+    injection.drive.fault_burst = injection.scenario.burst;
     injection.faulty = run_with_fault(injection.drive, injection.scenario.fault, recorded.calibration);
     return injection;
 }
@@ -173,11 +185,15 @@ std::string FaultSearch::explain(std::uint64_t number) const {
     const auto seconds = [](std::size_t cycle) { return static_cast<double>(cycle) * cycle_time_s; };
     std::string text = fmt::format(
         "Scenario {}: {}, {}, {:.2f} s long{}; the ECU starts {:.2f} s after the drive\n"
-        "  {} of {} from {:.2f} to {:.2f} s; a warning is due {}\n  reaction, ms: {}\n",
+        "  {} of {} from {:.2f} to {:.2f} s{}; a warning is due {}\n  reaction, ms: {}\n",
         number, drive.vehicle, drive.name, seconds(injection.drive.samples.size()),
         injection.drive.two_wheel_lift ? ", ends with two-wheel lift-off" : "", drive.ecu_starts_at_s,
         describe(scenario.fault), to_string(scenario.fault.place), seconds(scenario.begin),
-        seconds(scenario.end), drive.due ? fmt::format("at {:.2f} s", seconds(*drive.due)) : "at no time",
+        seconds(scenario.end),
+        scenario.period > 0U
+            ? fmt::format(", for {:.2f} of every {:.2f} s", seconds(scenario.burst), seconds(scenario.period))
+            : "",
+        drive.due ? fmt::format("at {:.2f} s", seconds(*drive.due)) : "at no time",
         describe({injection.reaction()}));
     for (const FindingKind kind : injection.findings()) {
         text += fmt::format("  {}\n", to_string(kind));

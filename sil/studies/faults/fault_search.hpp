@@ -21,6 +21,8 @@ struct SearchScenario {
     Fault fault{};
     std::size_t begin{0U};  // cycle of the drive as the ECU has it
     std::size_t end{0U};
+    std::size_t period{0U};  // of an intermittent fault; 0: it is there all the time
+    std::size_t burst{0U};
 };
 
 struct SearchOutcome {

@@ -29,7 +29,7 @@ FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rs
     run.over = drive.fault_end;
     int stepped = 0;
     for (std::size_t cycle = 0U; cycle < drive.samples.size(); ++cycle) {
-        const bool active = cycle >= drive.fault_begin && cycle < drive.fault_end;
+        const bool active = drive.has_fault(cycle);
         ecu.begin_cycle(cycle, active);
         bus.begin_cycle(active);
         frames.send(bus, sensor.apply(as_equipped(drive.samples[cycle], fault), active));

@@ -30,6 +30,15 @@ struct RecordedDrive {
 struct FaultedDrive : RecordedDrive {
     std::size_t fault_begin{0U};  // cycle
     std::size_t fault_end{0U};    // cycle after the last one; samples.size() when the drive ends first
+    // An intermittent fault, in cycles: it is there for `fault_burst` of each `fault_period`; 0: all the
+    // time.
+    std::size_t fault_period{0U};
+    std::size_t fault_burst{0U};
+
+    bool has_fault(std::size_t cycle) const {
+        const bool in_time = cycle >= fault_begin && cycle < fault_end;
+        return in_time && (fault_period == 0U || (cycle - fault_begin) % fault_period < fault_burst);
+    }
 };
 
 // The number of cycles in that time.

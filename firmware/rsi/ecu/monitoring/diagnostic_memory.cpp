@@ -20,11 +20,11 @@ CodeSet with_or_without(CodeSet codes, CodeSet bit, bool with) noexcept {
 
 }  // namespace
 
-void DiagnosticMemory::update(DiagnosticCode code, bool failed) noexcept {
+void DiagnosticMemory::update(DiagnosticCode code, bool failed, const Debounce& debounce) noexcept {
     Entry& entry = entries_[index_of(code)];
     const bool first = (entry.event.occurrences() == 0U);
     const CodeSet bit = CodeSet{1U} << index_of(code);
-    if (entry.event.update(failed, debounce_of(code))) {
+    if (entry.event.update(failed, debounce)) {
         unreported_ |= bit;
         entry.first = first ? snapshot_ : entry.first;
     }

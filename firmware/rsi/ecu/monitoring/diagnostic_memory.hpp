@@ -37,9 +37,12 @@ class DiagnosticMemory {
     // Nearly every report is a passed one of an inactive code, so that path is kept cheap.
     void report(DiagnosticCode code, bool failed) noexcept {
         if (failed || !entries_[index_of(code)].event.is_inactive()) {
-            update(code, failed);
+            update(code, failed, debounce_of(code));
         }
     }
+
+    // The code's condition has been debounced elsewhere.
+    void confirm(DiagnosticCode code) noexcept { update(code, true, {1U, debounce_of(code).heal}); }
 
     // No code is set or confirmed, so a passed cycle of any code would change nothing.
     bool no_active_codes() const noexcept { return active_ == 0U; }
@@ -59,7 +62,7 @@ class DiagnosticMemory {
         Snapshot first{};
     };
 
-    void update(DiagnosticCode code, bool failed) noexcept;
+    void update(DiagnosticCode code, bool failed, const Debounce& debounce) noexcept;
     std::size_t next_to_report() noexcept;
     std::size_t next_of(CodeSet codes) const noexcept;
 

@@ -19,6 +19,13 @@ constexpr float clear_force_mps2 = 2.0F;
 // A wheel that is thrown up shakes the body's roll as well, a noisy accelerometer does not.
 constexpr float heave_per_roll_shake_m = 22.0F;
 
+// The body follows a lateral force of 5 m/s^2 with 4 rad/s^2 and more: a true step ends the calm within 0.04
+// s.
+constexpr float calm_roll_rate_radps = 0.1F;
+
+// Nearer to the limit a tyre that slides, or grips again, makes such steps.
+constexpr float everyday_force_mps2 = 3.5F;
+
 constexpr float sure_excess_deviation = 0.06F;
 
 // A speed in larger steps repeats its value in turns at a constant speed.
@@ -104,6 +111,13 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     seen |= reference_symptoms(references, before);
     seen |= observer_symptoms(inputs, before);
     judge(seen, memory);
+    if (starting_angle_.waits(qualified.roll_angle_rad, roll_beyond_observed(inputs, before))) {
+        qualified.roll_angle_rad = rsi::not_available;
+    } else if (starting_angle_.is_contradicted()) {
+        memory.confirm(DiagnosticCode::roll_sensor_contradicts_observer);
+    } else {
+        // Confirmed, or nothing to wait for.
+    }
     const CodeSet confirmed = memory.confirmed_codes();
     if (confirmed != 0U) {
         if (!contradicted && ((confirmed & roll_contradictions) != 0U)) {
@@ -119,7 +133,10 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
                                      DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = inputs;
     if (fresh.imu) {
-        qualified.lateral_specific_force_mps2 = lateral_.qualify(inputs.lateral_specific_force_mps2, memory);
+        const bool calm = rsi::is_within_magnitude(inputs.roll_rate_radps, calm_roll_rate_radps) &&
+                          rsi::is_within_magnitude(lateral_.last_good(), everyday_force_mps2);
+        qualified.lateral_specific_force_mps2 =
+            lateral_.qualify(inputs.lateral_specific_force_mps2, memory, {0.0F, 0.0F, calm});
         if (fresh.vertical_acceleration) {
             flight_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2);
             if (flight_.excuses()) {
@@ -127,8 +144,8 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
                 vertical_.forget();
             } else {
                 qualified.vertical_specific_force_mps2 =
-                    vertical_.qualify(inputs.vertical_specific_force_mps2, memory, 0.0F,
-                                      heave_per_roll_shake_m * roll_rate_.shake());
+                    vertical_.qualify(inputs.vertical_specific_force_mps2, memory,
+                                      {0.0F, heave_per_roll_shake_m * roll_rate_.shake(), calm});
             }
         }
         qualified.roll_rate_radps = roll_rate_.qualify(inputs.roll_rate_radps, memory);
@@ -140,7 +157,7 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     if (fresh.roll_angle) {
         const float turned =
             rsi::is_finite(qualified.roll_rate_radps) ? rsi::sample_time_s * qualified.roll_rate_radps : 0.0F;
-        qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, turned);
+        qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, {turned});
         // Most vehicles have no bank sensor.
         memory.report(DiagnosticCode::bank_angle_invalid,
                       rsi::is_finite(inputs.bank_angle_rad) &&

@@ -11,6 +11,7 @@
 #include "rsi/ecu/monitoring/signal_check.hpp"
 #include "rsi/ecu/monitoring/signatures.hpp"
 #include "rsi/ecu/monitoring/slow_vehicle.hpp"
+#include "rsi/ecu/monitoring/starting_angle.hpp"
 #include "rsi/ecu/monitoring/steering_check.hpp"
 #include "rsi/ecu/monitoring/stuck_check.hpp"
 #include "rsi/ecu/monitoring/travel_direction.hpp"
@@ -64,9 +65,9 @@ class InputMonitor {
     // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs
     // of three vehicles, impacts of wheels that come down again among them, is still allowed.
     SignalCheck lateral_{{-40.0F, 40.0F, 12.0F, 3.0F, DiagnosticCode::lateral_acceleration_invalid,
-                          DiagnosticCode::lateral_acceleration_jump}};
+                          DiagnosticCode::lateral_acceleration_jump, 5.0F}};
     SignalCheck vertical_{{-40.0F, 55.0F, 12.0F, 2.2F, DiagnosticCode::vertical_acceleration_invalid,
-                           DiagnosticCode::vertical_acceleration_jump}};
+                           DiagnosticCode::vertical_acceleration_jump, 5.0F}};
     SignalCheck roll_rate_{
         {-5.22F, 5.22F, 0.5F, 0.1F, DiagnosticCode::roll_rate_invalid, DiagnosticCode::roll_rate_jump}};
     // Jump: against the change that the roll rate leads to.
@@ -95,6 +96,7 @@ class InputMonitor {
 
     RollConsistency roll_consistency_{};
     RollReferenceCheck roll_reference_{};
+    StartingAngle starting_angle_{};
     TravelDirection direction_{};
     TurnConsistency turn_consistency_{};
     TurnSigns turn_signs_{};

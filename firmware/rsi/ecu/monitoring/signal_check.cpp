@@ -1,17 +1,35 @@
 #include "rsi/ecu/monitoring/signal_check.hpp"
 
-namespace rsi::monitoring {
+#include "rsi/numeric/saturating_count.hpp"
 
-float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected_change,
-                           float road_shake) noexcept {
+namespace rsi::monitoring {
+namespace {
+
+constexpr std::uint32_t longest_doubt = 15U;  // from here on the other signals' votes decide
+constexpr std::uint32_t most_bursts = 3U;
+constexpr std::uint32_t burst_memory = 6000U;  // samples, a minute
+
+}  // namespace
+
+float SignalCheck::qualify(float value, DiagnosticMemory& memory, const SignalSupport& support) noexcept {
     const bool valid = rsi::is_within(value, limits_.minimum, limits_.maximum);
     if (!rsi::is_finite(value)) {
         memory.report(limits_.invalid, true);
         forget();
         return rsi::not_available;
     }
-    const bool unsteady = (known_ && has_jumped(value, expected_change)) || is_shaken(value, road_shake);
-    if (valid && !unsteady && memory.no_active_codes()) {
+    const bool unsteady =
+        (known_ && has_jumped(value, support.expected_change)) || is_shaken(value, support.road_shake);
+    const bool good = valid && !unsteady;
+    if (bursts_ > 0U) {
+        rsi::count_up(calm_samples_);
+    }
+    const bool doubted = support.vehicle_is_calm && (doubted_samples_ < longest_doubt);
+    if (good && doubted && known_ && is_far(value, support)) {
+        rsi::count_up(doubted_samples_);
+        return good_;
+    }
+    if (good && (doubted_samples_ == 0U) && memory.no_active_codes()) {
         keep(value);
         return value;
     }
@@ -19,16 +37,32 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
     if (valid) {
         memory.report(limits_.jumps, unsteady);
     }
+    if (good && (doubted_samples_ > 0U) && support.vehicle_is_calm && !is_far(value, support)) {
+        count_burst(memory);
+    }
     if (memory.confirmed(limits_.invalid) || memory.confirmed(limits_.jumps)) {
         // From now on each value is compared with the one before: smooth again is good again.
         good_ = value;
         known_ = valid;
+        doubted_samples_ = 0U;
         return rsi::not_available;
     }
-    if (valid && !unsteady) {
+    if (good) {
         keep(value);
+    } else if (known_) {
+        rsi::count_up(doubted_samples_);
     }
     return known_ ? good_ : rsi::not_available;
+}
+
+// The signal is back where it was, so the values between were none of its own.
+void SignalCheck::count_burst(DiagnosticMemory& memory) noexcept {
+    bursts_ = (calm_samples_ < burst_memory) ? bursts_ + 1U : 1U;
+    calm_samples_ = 0U;
+    if (bursts_ >= most_bursts) {
+        bursts_ = most_bursts;
+        memory.confirm(limits_.jumps);
+    }
 }
 
 // The second difference of white noise is 2.4 times as large as the noise, that of a vehicle's motion next to

@@ -1,4 +1,4 @@
-// Signal check: range, jump and noise of one signal; a value that fails is bridged until its code is
+// Signal check: range, jump, noise and bursts of one signal; a value that fails is bridged until its code is
 // confirmed.
 #pragma once
 
@@ -16,18 +16,30 @@ struct SignalLimits {
     float shake;  // largest mean of the change of the change, over 0.1 s
     DiagnosticCode invalid;
     DiagnosticCode jumps;
+    // Largest change in one cycle that is used at once; a larger one may be the beginning of a burst.
+    float step{1.0e6F};
+};
+
+// Other signals' statements about the change of this one; 0 and NaN: none.
+struct SignalSupport {
+    float expected_change{0.0F};  // since the value before
+    float road_shake{0.0F};       // how far the road, which shakes others too, may shake it beyond its limit
+    bool vehicle_is_calm{true};   // the body does not move as a true step of this signal would move it
 };
 
 class SignalCheck {
  public:
     constexpr explicit SignalCheck(const SignalLimits& limits) noexcept : limits_{limits} {}
 
-    // One value that its frame has brought. `expected_change` is what others say that it has changed by.
+    // One value that its frame has brought.
     // A value beyond its range, or further from the last good one than a cycle allows, or shaken, gives that
     // last one, until the code is confirmed; then NaN, until it is healed. NaN gives NaN at once.
-    // `road_shake`: how far the road, which shakes others too, may shake it beyond its limit.
-    float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F,
-                  float road_shake = 0.0F) noexcept;
+    // A step of a calm vehicle gives the last good value, for 0.15 s at most. If the signal is back by then,
+    // it was a burst; the third one, each within a minute of the one before, confirms the code of jumps.
+    float qualify(float value, DiagnosticMemory& memory, const SignalSupport& support = {}) noexcept;
+
+    // Last good value; that of before, once the signal is not there.
+    float last_good() const noexcept { return good_; }
 
     // Mean change of the change.
     float shake() const noexcept { return shake_; }
@@ -37,12 +49,14 @@ class SignalCheck {
         const float second_difference = 2.45F * rms;
         limits_.jump += second_difference;
         limits_.shake += second_difference;
+        limits_.step += second_difference;
     }
 
     // A cycle without its frame.
     void forget() noexcept {
         known_ = false;
         values_ = 0U;
+        doubted_samples_ = 0U;
     }
 
  private:
@@ -50,11 +64,20 @@ class SignalCheck {
         return !rsi::is_within_magnitude(value - good_ - expected_change, limits_.jump);
     }
 
+    // Further from the last good value than a step.
+    bool is_far(float value, const SignalSupport& support) const noexcept {
+        return !rsi::is_within_magnitude(value - good_ - support.expected_change,
+                                         limits_.step + support.road_shake);
+    }
+
     bool is_shaken(float value, float road_shake) noexcept;
+    bool is_step(float value, const SignalSupport& support) const noexcept;
+    void count_burst(DiagnosticMemory& memory) noexcept;
 
     void keep(float value) noexcept {
         good_ = value;
         known_ = true;
+        doubted_samples_ = 0U;
     }
 
     SignalLimits limits_;
@@ -64,6 +87,9 @@ class SignalCheck {
     float before_{0.0F};
     std::uint32_t values_{0U};  // of these two, how many there are
     float shake_{0.0F};
+    std::uint32_t doubted_samples_{0U};  // since the value was last good
+    std::uint32_t bursts_{0U};
+    std::uint32_t calm_samples_{0U};  // since the last burst
 };
 
 }  // namespace rsi::monitoring
