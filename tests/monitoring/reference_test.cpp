@@ -26,6 +26,7 @@ class ASteadyTurn : public ::testing::Test {
         inputs.steering_wheel_angle_rad = 1.0F;
         before.state = RSI_STATE_READY;
         before.roll_source = RSI_ROLL_SENSOR;
+        before.observed_roll_angle_rad = inputs.roll_angle_rad;
         run(10);
     }
 

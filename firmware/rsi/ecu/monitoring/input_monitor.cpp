@@ -83,7 +83,9 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     const OfRoll wrong_of_roll = wrong_of_roll_;
     const ForceGain force_gain = force_gain_;
     const TravelDirection direction = direction_;  // a stall turns no vehicle round
+    const StartingAngle starting_angle = starting_angle_;  // an angle that was right before may be large now
     *this = InputMonitor{};
+    starting_angle_ = starting_angle;
     wrong_of_roll_ = wrong_of_roll;
     force_gain_ = force_gain;
     direction_ = direction;
