@@ -5,10 +5,12 @@ import json
 import logging
 import pathlib
 import re
+import sys
 
 import cantools
 from cantools.database.namedsignalvalue import NamedSignalValue
 
+import dbc_file
 import progress
 from bus_log_writers import number_of
 from bus_logs import BusLog
@@ -18,42 +20,90 @@ from recorded import OUTSIDE, TEXTS, Clock, Collected
 
 EXTENDED = 0x8000_0000
 OTHER_DATABASES = (".arxml", ".kcd", ".sym", ".cdd")  # that cantools knows by their endings
+ODD_SHOWN = 3  # lines of a file
 
 logging.getLogger("cantools").setLevel(logging.ERROR)  # it warns of oddities of foreign files outside the mapping
 
 
 def load(path):
+    """The messages of one database file."""
     path = pathlib.Path(path)
     try:
         if path.exists() and not path.is_file():
             raise OSError(errno.EINVAL, "it is no ordinary file")
         if not path.stat().st_size:
             raise LogError(f"{path}: the file is empty; was the copy finished?")
-        is_dbc = path.suffix.lower() not in OTHER_DATABASES
-        # Foreign files have overlaps and lengths that contradict themselves, mostly in signals outside the mapping.
-        database = cantools.database.load_file(path, database_format="dbc" if is_dbc else None, strict=False,
-                                               encoding=encoding_of(path) if is_dbc else None)
+        if path.suffix.lower() in OTHER_DATABASES:
+            database = cantools.database.load_file(path, strict=False)
+        else:
+            database = load_dbc(path)
     except OSError as error:
         raise LogError(f"{path}: cannot be read: {error.strerror}") from error
     except LogError:
         raise
     except Exception as error:  # a parser's many kinds, up to those of damaged numbers
-        said = " ".join(str(error).split())[:300]
-        line = re.search(r"at line (\d+), column (\d+)", said)
-        place = f"{path}:{line[1]}:{line[2]}" if line else path
-        raise LogError(f"{place}: this is no DBC file that can be read: {said}") from error
+        raise refusal(path, error) from error
     if not isinstance(database, cantools.database.can.Database) or not database.messages:
         raise LogError(f"{path}: has no messages of a CAN bus; is it the right file?")
     return database
 
 
-def encoding_of(path):
-    """Old DBC files are in the code page of Windows; newer tools write UTF-8."""
+def refusal(path, error):
+    said = " ".join(str(error).split())[:300]
+    line = re.search(r"at line (\d+), column (\d+)", said)
+    place = f"{path}:{line[1]}:{line[2]}" if line else path
+    return LogError(f"{place}: this is no DBC file that can be read: {said}")
+
+
+def load_dbc(path):
+    """As it is; if a line of it is odd, statement by statement, without those that are."""
+    text = dbc_file.text_of(path.read_bytes())
     try:
-        path.read_bytes().decode("utf-8")
-        return "utf-8"
-    except UnicodeDecodeError:
-        return "cp1252"
+        # Foreign files have overlaps and lengths that contradict themselves, mostly in signals outside the mapping.
+        return cantools.database.load_string(text, "dbc", strict=False)
+    except Exception as error:  # of many kinds
+        file = dbc_file.DbcFile(text)
+        odd = list(file.odd)
+        messages = sorted_out(file.blocks, odd)
+        if not any(message.signals for message in messages):
+            raise refusal(path, error) from error
+        for message in messages:
+            give_names(message, file.names)
+        if odd:
+            print(account_of(path, sorted(odd)), file=sys.stderr)
+        return cantools.database.can.Database(messages, strict=False)
+
+
+def sorted_out(blocks, odd):
+    """Messages of the blocks that can be read. A block that cannot costs reading its half, its quarter and so on again."""
+    if not blocks:
+        return []
+    try:
+        return cantools.database.load_string(dbc_file.BEGIN + dbc_file.DEFINITIONS + "".join(block.text() for block in blocks), "dbc",
+                                             strict=False).messages
+    except Exception as error:  # of many kinds
+        if len(blocks) > 1:
+            return sorted_out(blocks[:len(blocks) // 2], odd) + sorted_out(blocks[len(blocks) // 2:], odd)
+        said = " ".join(str(error).split())[:100]
+        odd.append(dbc_file.Odd(blocks[0].line, f"message {blocks[0].name} cannot be understood ({said}): left out"))
+        return []
+
+
+def give_names(message, names):
+    """Their own names to what was read by others."""
+    message.name = names.get(message.name, message.name)
+    renamed = [signal for signal in message.signals if signal.name in names or signal.multiplexer_signal in names]
+    for signal in renamed:
+        signal.name = names.get(signal.name, signal.name)
+        signal.multiplexer_signal = names.get(signal.multiplexer_signal, signal.multiplexer_signal)
+    if renamed:
+        message.refresh(strict=False)
+
+
+def account_of(path, odd):
+    shown = "; ".join(f"line {line}: {what}" for line, what in odd[:ODD_SHOWN])
+    more = f"; and {len(odd) - ODD_SHOWN} more" if len(odd) > ODD_SHOWN else ""
+    return f"sil/tools/logs: {path}: {len(odd)} odd {'lines' if len(odd) > 1 else 'line'}; {shown}{more}"
 
 
 def names_of(database):
