@@ -35,7 +35,7 @@ def make(dbc, log, output):
         raise LogError("draft needs a DBC file (--dbc FILE), or a log that is decoded already (--log FILE): a CSV or an MF4")
     if output.exists():
         raise LogError(f"{output}: exists already, perhaps with answers in it; delete it, or choose another file with --output")
-    source = DbcSource(dbc, log) if dbc else TableSource(log)
+    source = DbcSource(dbc_signals.Database(dbc), log) if dbc else TableSource(log)
     choices = {}
     for quantity in QUANTITIES:
         found, is_clear = signal_names.candidates(quantity, source.signals)
@@ -50,7 +50,7 @@ def make(dbc, log, output):
 
 
 def beginning(dbc, log):
-    sources = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
+    sources = " and ".join(" ".join(str(path).split()) for path in [*(dbc or []), *([log] if log else [])])
     return (f"# A draft by `sil/tools/logs draft` of {sources}.\n"
             "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what\n"
             "# the keys mean.\n")
@@ -63,10 +63,8 @@ Choice = collections.namedtuple("Choice", "quantity found is_clear")
 class DbcSource:
     """The signals of a DBC file, and what a log has of them."""
 
-    def __init__(self, dbc, log):
-        self.dbc, self.log = dbc, log
-        database = dbc_signals.load(dbc)
-        self.messages = {message.name: message for message in database.messages}
+    def __init__(self, database, log):
+        self.database, self.log = database, log
         self.signals = [Candidate(f"{message.name}.{signal.name}", signal.name, signal.unit or "", signal.comment)
                         for message in database.messages for signal in message.signals
                         if not dbc_signals.is_enumeration(signal) and signal.length > 1]
@@ -78,19 +76,29 @@ class DbcSource:
                 if frame.extended:
                     self.buses["pgn", dbc_signals.parameter_group(frame.identifier)].add(frame.bus)
             if not any(self.buses_of(signal) for signal in self.signals):
-                raise LogError(f"{log}: has no frame of any message of {dbc}; is it the right log or DBC file?")
+                raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
 
     def head(self):
         return []
 
     def buses_of(self, signal):
-        return sorted(self.buses.get(dbc_signals.key_of(self.messages[signal.key.partition(".")[0]]), ()), key=str)
+        message, _ = self.database.signals[signal.key]
+        buses = self.buses.get(dbc_signals.key_of(message), ())
+        if not buses and message.is_extended_frame:
+            buses = self.buses.get(("pgn", dbc_signals.parameter_group(message.frame_id)), ())
+        return sorted(buses, key=str)
+
+    def is_contested(self, signal):
+        return dbc_signals.key_of(self.database.signals[signal.key][0]) in self.database.contested
+
+    def is_there(self, signal):
+        return bool(self.buses_of(signal))
 
     def with_frames(self, found):
         return sorted(found, key=lambda signal: not self.buses_of(signal)) if self.log else found
 
     def read(self, entries):
-        return dbc_signals.read([self.log], self.dbc, AsDrafted(entries))[0]
+        return dbc_signals.read([self.log], self.database, AsDrafted(entries))[0]
 
 
 class TableSource:
@@ -114,6 +122,12 @@ class TableSource:
     def buses_of(self, _):
         return []
 
+    def is_contested(self, _):
+        return False
+
+    def is_there(self, _):
+        return True
+
     def with_frames(self, found):
         return found
 
@@ -133,7 +147,7 @@ class AsDrafted:
     def __init__(self, entries):
         self.entries = entries
 
-    def unit_factor(self, entry, unit):
+    def unit_factor(self, entry, unit, _role="signal"):
         return factor_of(unit, QUANTITIES[entry.quantity].dimension) or 1.0
 
     def fail(self, table, _, what):
@@ -149,7 +163,7 @@ class Evidence:
             return
         first_of = {name: choice.found[0] for name, choice in choices.items() if choice.found}
         entries = [Entry(name, signal.key, None, 1.0, 0.0, 1, 0.0, bus_key(source.buses_of(signal)))
-                   for name, signal in first_of.items() if signal.key]
+                   for name, signal in first_of.items() if source.is_there(signal)]
         recorded = source.read(entries)
         self.present = set(recorded)
         recorded = {name: one for name, one in recorded.items() if len(one.times_us) > 1}
@@ -244,6 +258,8 @@ def block(choice, source, evidence):
     buses = source.buses_of(first)
     if len(buses) > 1:
         lines.append(f"bus = \"?\"  # it comes on the buses {', '.join(str(bus) for bus in buses)}")
+    elif source.is_contested(first):
+        lines.append("bus = \"?\"  # another DBC file has another message of this identifier; the bus of this one")
     return "\n".join(lines) + "\n"
 
 

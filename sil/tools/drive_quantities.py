@@ -38,6 +38,7 @@ UNITS = {
     "speed": {"km/h": 1.0, "m/s": 3.6, "mph": 1.609344, "knot": 1.852},
     "mass": {"kg": 1.0, "t": 1000.0, "lb": POUND_KG},
     "force": {"N": 1.0, "kN": 1000.0, "kgf": G_MPS2, "lbf": POUND_KG * G_MPS2},
+    "length": {"m": 1.0, "cm": 1.0e-2, "mm": 1.0e-3, "inch": 0.0254, "ft": 0.3048},
     "time": {"s": 1.0, "ms": 1.0e-3, "us": 1.0e-6, "ns": 1.0e-9},
 }
 
