@@ -24,6 +24,7 @@ from signal_names import Candidate
 # All of these are positive in a left turn.
 SIGNED = ("lateral_acceleration", "roll_angle", "yaw_rate", "steering_wheel_angle")
 SMOOTHED_ROWS = 21
+STANDING_KMH = 1.0
 # Signals that distinguish a turn from a straight, the best first; in the units of the columns.
 TURNS = {"yaw_rate": 3.0, "lateral_acceleration": 1.0, "steering_wheel_angle": 20.0}
 NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, where there is no roll_angle",
@@ -192,17 +193,33 @@ class Evidence:
         self._find_turn()
 
     def _find_turn(self):
-        anchors = [name for name in TURNS if name in self.columns]
-        if not anchors:
+        """The hardest turn, by the best signal that moves at all."""
+        for self.anchor in (name for name in TURNS if name in self.columns):
+            values = self.columns[self.anchor] - self._straight(self.anchor)
+            known = values[~numpy.isnan(values)]
+            if len(known) < SMOOTHED_ROWS or known.max() == known.min():
+                continue
+            values = numpy.where(numpy.isnan(values), 0.0, values)
+            smooth = numpy.convolve(values, numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
+            hardest = int(numpy.argmax(numpy.abs(smooth)))
+            least = TURNS[self.anchor] if self.anchor not in self.without_unit else 0.0
+            if abs(smooth[hardest]) > least:
+                self.turn_s, self.turn = (self.times_us[hardest] - self.times_us[0]) / 1.0e6, float(smooth[hardest])
             return
-        self.anchor = anchors[0]
-        values = numpy.where(numpy.isnan(self.columns[self.anchor]), 0.0, self.columns[self.anchor])
-        if len(values) < SMOOTHED_ROWS:
-            return
-        smooth = numpy.convolve(values - numpy.median(values), numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
-        hardest = int(numpy.argmax(numpy.abs(smooth)))
-        if abs(smooth[hardest]) >= TURNS[self.anchor] or self.anchor in self.without_unit:
-            self.turn_s, self.turn = self.times_us[hardest] / 1.0e6, float(smooth[hardest])
+
+    def _straight(self, name):
+        """The value of no turn, which a drive to one side has nowhere in its middle: that at rest, or zero; in a unit that is
+        not known that of the drive's beginning."""
+        values, speed = self.columns[name], self.columns.get("speed")
+        if speed is not None and "speed" not in self.without_unit and name != "steering_wheel_angle":
+            standing = values[(speed < STANDING_KMH) & ~numpy.isnan(values)]
+            if len(standing) >= consistency.UPRIGHT_ROWS:
+                return float(numpy.median(standing))
+        if name not in self.without_unit:
+            return 0.0
+        beginning = values[:consistency.UPRIGHT_ROWS]
+        beginning = beginning[~numpy.isnan(beginning)]
+        return float(numpy.median(beginning)) if len(beginning) else 0.0
 
     def sign_if_left(self, name):
         """The sign of the quantity if that turn was one to the left; None where the log does not tell."""
@@ -282,7 +299,7 @@ def sign_lines(name, evidence):
     left = evidence.sign_if_left(name)
     if left is None:
         return [question + ("; the log does not show it" if evidence.present is not None and name != "bank_angle" else "")]
-    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s: {left} if that was to the left, {-left} if "
+    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s of the drive: {left} if that was to the left, {-left} if "
                       "to the right"]
 
 

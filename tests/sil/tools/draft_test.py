@@ -56,9 +56,9 @@ class Draft(drive_support.WithDrives):
                      "--parameters", support.CALIBRATION, "--output", slalom)
         file, _ = self.drafted("--dbc", foreign_recorder.DBC, "--log", self.written("blf", foreign_recorder.frames(slalom)))
         text = file.read_text(encoding="utf-8")
-        turn_s = float(re.search(r"the log turns hardest at (\S+) s: ", text)[1])
+        turn_s = float(re.search(r"the log turns hardest at (\S+) s of the drive: ", text)[1])
         is_left = next(row["yaw_rate_degps"] > 0.0 for row in foreign_recorder.rows(slalom) if row["time_s"] > turn_s)
-        text, answered = re.subn(r'sign = "\?"(.*\n#.* hardest at \S+ s: (\S+) if that was to the left, (\S+) if to)',
+        text, answered = re.subn(r'sign = "\?"(.*\n#.* hardest at \S+ s of the drive: (\S+) if that was to the left, (\S+) if to)',
                                  r"sign = \2\1" if is_left else r"sign = \3\1", text)
         self.assertEqual(answered, 5)
         log = self.written("blf", foreign_recorder.frames(self.run_folder))
