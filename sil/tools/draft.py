@@ -15,7 +15,7 @@ import table_signals
 import file_io
 from bus_log_writers import number_of
 from bus_logs import BusLog
-from drive_quantities import QUANTITIES, REQUIRED, admitted, factor_of
+from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS, admitted, factor_of
 from log_error import LogError
 from mapping import Entry
 from recorded import LONGEST_DRIVE_S
@@ -41,6 +41,8 @@ def make(dbc, log, output):
     for quantity in QUANTITIES:
         found, is_clear = signal_names.candidates(quantity, source.signals)
         choices[quantity] = Choice(quantity, source.with_frames(found), is_clear)
+    if not all(choices[name].found for name in WHEEL_LOADS):  # fewer than four are of no use
+        choices.update({name: Choice(name, [], False) for name in WHEEL_LOADS})
     evidence = Evidence(source, choices, log)
     blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
     text = "\n".join(blocks)
@@ -95,6 +97,19 @@ class DbcSource:
     def is_there(self, signal):
         return bool(self.buses_of(signal))
 
+    def is_magnitude(self, signal):
+        """Whether its bits have no room for a negative value."""
+        _, known = self.database.signals[signal.key]
+        return not known.is_signed and not known.is_float and known.scale > 0 and known.offset >= 0
+
+    def sign_of(self, signal):
+        """The signal of one bit that is the sign of this magnitude; None if there is none."""
+        if not self.is_magnitude(signal):
+            return None
+        message, known = self.database.signals[signal.key]
+        flag = signal_names.sign_of(known.name, [other.name for other in message.signals if other.length == 1])
+        return f"{message.name}.{flag}" if flag else None
+
     def with_frames(self, found):
         return sorted(found, key=lambda signal: not self.buses_of(signal)) if self.log else found
 
@@ -109,7 +124,7 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
-        times = [signal for signal in self.signals if re.match(r"(t|time\w*)( |$)", signal_names.words(signal.name))]
+        times = [signal for signal in self.signals if re.match(r"(t|\w*time\w*|\w*zeit\w*)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
@@ -129,12 +144,18 @@ class TableSource:
     def is_there(self, _):
         return True
 
+    def is_magnitude(self, _):
+        return False
+
+    def sign_of(self, _):
+        return None
+
     def with_frames(self, found):
         return found
 
     def read(self, entries):
         if self.is_csv and not self.time:
-            return {}
+            return None
         mapping = AsDrafted(entries)
         mapping.time = (self.time.key, factor_of(self.time.unit, "time") or 1.0) if self.is_csv else None
         return table_signals.read([self.log], mapping)[0]
@@ -159,14 +180,18 @@ class Evidence:
     """Signs as the log shows them."""
 
     def __init__(self, source, choices, log):
-        self.columns, self.turn_s, self.present = {}, None, None
+        self.columns, self.turn_s, self.present, self.doubts = {}, None, None, {}
         if not log:
             return
         first_of = {name: choice.found[0] for name, choice in choices.items() if choice.found}
-        entries = [Entry(name, signal.key, None, 1.0, 0.0, 1, 0.0, bus_key(source.buses_of(signal)))
+        entries = [Entry(name, signal.key, None, 1.0, 0.0, 1, 0.0, bus_key(source.buses_of(signal)),
+                         source.sign_of(signal) if is_signed(name) else None)
                    for name, signal in first_of.items() if source.is_there(signal)]
         recorded = source.read(entries)
+        if recorded is None:
+            return
         self.present = set(recorded)
+        self.doubts = {name: one.doubts for name, one in recorded.items()}
         recorded = {name: one for name, one in recorded.items() if len(one.times_us) > 1}
         if not recorded:
             return
@@ -271,7 +296,12 @@ def block(choice, source, evidence):
         lines.append("# the log has no value of it: delete this table, unless other logs have it")
     if first.comment:
         lines.append(f"# DBC: {' '.join(first.comment.split())[:110]}")
-    lines += unit_lines(quantity, first) + sign_lines(choice.quantity, evidence)
+    lines += [f"# LOOK: {doubt}" for doubt in evidence.doubts.get(choice.quantity, ())]
+    lines += unit_lines(quantity, first)
+    if is_signed(choice.quantity) and source.is_magnitude(first) and not source.sign_of(first):
+        lines.append("# LOOK: its bits have no room for negative values; does another signal have the sign, then sign = "
+                     "\"Message.Signal\"?")
+    lines += sign_lines(choice.quantity, evidence, source.sign_of(first))
     buses = source.buses_of(first)
     if len(buses) > 1:
         lines.append(f"bus = \"?\"  # it comes on the buses {', '.join(str(bus) for bus in buses)}")
@@ -287,20 +317,29 @@ def unit_lines(quantity, signal):
     return [f"unit = \"?\"  # {said}; one of those above, and where one number is not one of it, also factor"]
 
 
-def sign_lines(name, evidence):
-    if name in ("speed", "vehicle_mass") or name.startswith("wheel_load_"):
+def is_signed(name):
+    return name not in ("speed", "vehicle_mass") and not name.startswith("wheel_load_")
+
+
+def sign_lines(name, evidence, sign_key):
+    if not is_signed(name):
         return []
     if name == "vertical_acceleration":
         return vertical_lines(evidence)
     meaning = "left side up" if name == "bank_angle" else "a left turn"
     if name == "roll_rate":
         meaning = "rolling to the right, as when a left turn begins,"
+    answers = {1: "1", -1: "-1"}
     question = f"sign = \"?\"  # 1 if {meaning} is positive, -1 if negative"
+    if sign_key:
+        answers = {1: quoted(sign_key), -1: quoted("-" + sign_key)}
+        question = (f"sign = \"?\"  # it is a magnitude, with its sign beside it: {answers[1]} if {meaning} has the sign 0, "
+                    f"{answers[-1]} if 1")
     left = evidence.sign_if_left(name)
     if left is None:
         return [question + ("; the log does not show it" if evidence.present is not None and name != "bank_angle" else "")]
-    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s of the drive: {left} if that was to the left, {-left} if "
-                      "to the right"]
+    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s of the drive: {answers[left]} if that was to the left, "
+                      f"{answers[-left]} if to the right"]
 
 
 def vertical_lines(evidence):
