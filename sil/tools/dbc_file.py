@@ -11,7 +11,7 @@ KEYWORDS = ("BO_", "SG_", "CM_", "VAL_", "VAL_TABLE_", "SIG_VALTYPE_", "SG_MUL_V
             "BA_DEF_DEF_REL_", "BA_DEF_SGTYPE_", "BA_SGTYPE_", "SGTYPE_", "SGTYPE_VAL_", "SIG_TYPE_REF_", "SIGTYPE_VALTYPE_",
             "CAT_", "CAT_DEF_", "FILTER", "NS_DESC_", "BU_SG_REL_", "BU_EV_REL_", "BU_BO_REL_")
 BEGINNING = re.compile(rf"\s*({'|'.join(KEYWORDS)})\b(?=[\s:\"]*[^\s:])|\s*(NS_|BS_|BU_)\s*:")
-# Within a text that is not closed only these are believed to be statements, and no lines of the text.
+# Statements within a text that is not closed; any other line there is the text's.
 CERTAIN = re.compile(r"\s*(?:BO_\s+\d+\s+\S+\s*:\s*\d|SG_\s+[^\s:]+(?:\s+[Mm]\w*)?\s*:\s*\d+\s*\||CM_\s+(?:(?:SG_|BO_)\s+\d|(?:BU_|EV_)\s+\S+\s+\"|\")|"
                      r"VAL_\s+\d+\s+\S+\s+-?\d|BA_(?:DEF_|DEF_DEF_)?\s+(?:\w+_\s+)?\"|SIG_VALTYPE_\s+\d|SG_MUL_VAL_\s+\d)")
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
@@ -79,7 +79,7 @@ class Block:
 
 
 class DbcFile:
-    """What can be read of a DBC file: `blocks` by message, `odd` lines, and the `names` behind those that cantools would
+    """The readable part of a DBC file: `blocks` by message, `odd` lines, and the `names` behind those that cantools would
     not take."""
 
     def __init__(self, text):

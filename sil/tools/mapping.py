@@ -180,7 +180,7 @@ def signals_of(entry):
 
 
 def dimension_of(quantity, minus):
-    """Of the log's numbers."""
+    """The dimension of the log's numbers."""
     dimension = QUANTITIES[quantity].dimension
     return dimension if minus is None else SLOPES[dimension]
 

@@ -83,7 +83,7 @@ class Consistency(support.WithRun):
                 other = "lateral_acceleration" if name != "lateral_acceleration" else "roll_angle"
                 self.assertEqual(evidence.sign_if_left(name), -evidence.sign_if_left(other), (manoeuvre, name))
 
-    def test_of_two_signals_neither_is_named(self):
+    def test_neither_of_two_signals_is_named(self):
         times_us, columns = self.runs["slalom"]
         two = {name: columns[name] for name in ("lateral_acceleration", "speed")}
         two.update(yaw_rate=-columns["yaw_rate"], roll_rate=0.0 * columns["roll_rate"])

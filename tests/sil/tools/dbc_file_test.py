@@ -38,7 +38,7 @@ class DbcFile(support.WithFolder):
         database, said = self.read("\ufeff" + HEAD + MESSAGE)
         self.assertEqual((set(dbc_signals.names_of(database)), said), (SOUND, ""))
 
-    def test_what_is_about_nothing_is_left_out(self):
+    def test_statements_about_nothing_are_left_out(self):
         left_out = "line {}: it is about {}: left out"
         no_signal, no_message = "a signal Gone, which message 36 has not", "message 99, which is not there"
         # A strict parser refuses the last line of each.
@@ -72,7 +72,7 @@ class DbcFile(support.WithFolder):
         self.assertEqual(set(dbc_signals.names_of(database)), SOUND)
         self.assertIn("odd.dbc: 1 odd line; line 7: the bit timing is not needed: left out", said)
 
-    def test_what_can_have_one_meaning_only_is_mended(self):
+    def test_lines_of_one_possible_meaning_are_mended(self):
         database = self.odd('BO_ 316476583 CAMERA: 8 ECU\n SG_ A : 0|8@1+ (1,0) [0|1] "" ECU\nCM_ SG_ 316476583 A "text";',
                             "line {0}: message CAMERA's identifier 316476583 has more than 11 bits, but not bit 31 that should say "
                             "so: read as one of 29", SOUND | {"CAMERA.A"})
@@ -100,7 +100,7 @@ class DbcFile(support.WithFolder):
     def test_a_message_that_the_parser_refuses_costs_that_message(self):
         blocks = dbc_file.DbcFile("".join(f'BO_ {number} M{number}: 8 ECU\n SG_ A : 0|8@1+ (1,0) [0|1] "" ECU\n'
                                           for number in range(1, 9))).blocks
-        blocks[4].lines.append("what nobody has thought of")
+        blocks[4].lines.append("an unforeseen line")
         odd = []
         messages = dbc_signals.sorted_out(blocks, odd)
         self.assertEqual([message.name for message in messages], ["M1", "M2", "M3", "M4", "M6", "M7", "M8"])

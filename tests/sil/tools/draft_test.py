@@ -124,7 +124,7 @@ class Draft(drive_support.WithDrives):
         self.assertEqual(best("bank_angle", ("BankAngle", "rad"), ("Cell_Bank_Nr", "")), ("BankAngle", True))
         self.assertEqual(best("vertical_acceleration", ("VerticalAcceleration", "m/s^2")), ("VerticalAcceleration", True))
 
-    def test_what_cannot_be_is_not_drafted(self):
+    def test_impossible_signals_are_not_drafted(self):
         """Units of other dimensions, and names of pressures, speeds of wheels, checksums, counters, faults and objects."""
         def found(quantity, name, unit="", message="M"):
             return [signal.name for signal in signal_names.candidates(quantity, [Candidate(f"{message}.{name}", name, unit, "")])[0]]
@@ -159,7 +159,7 @@ class Draft(drive_support.WithDrives):
             self.assertEqual(signal_names.candidates(quantity, signals), (signals, True), (quantity, name))
             self.assertIsNotNone(factor_of(unit, QUANTITIES[quantity].dimension), unit)
 
-    def test_what_is_not_sure_is_asked(self):
+    def test_unsure_signals_are_asked_for(self):
         def is_clear(quantity, name, unit="", comment="", message="M"):
             found, clear = signal_names.candidates(quantity, [Candidate(f"{message}.{name}", name, unit, comment)])
             self.assertEqual(len(found), 1, name)
