@@ -154,8 +154,8 @@ def reported(times_us, columns):
         lines.append(f"{text}: {verdict}")
     wrong = outvoted(found)
     if wrong:
-        lines.append(f"LOOK: {' and '.join(wrong)} {'runs' if len(wrong) == 1 else 'run'} against the others: probably that sign is "
-                     "wrong")
+        run = "runs" if len(wrong) == 1 else "run"
+        lines.append(f"LOOK: {' and '.join(wrong)} {run} against the others: probably that sign is wrong")
     upright = upright_mps2(columns)
     if upright is not None and not 0.5 * G_MPS2 < upright < 2.0 * G_MPS2:
         is_doubtful = True

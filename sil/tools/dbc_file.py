@@ -12,8 +12,8 @@ KEYWORDS = ("BO_", "SG_", "CM_", "VAL_", "VAL_TABLE_", "SIG_VALTYPE_", "SG_MUL_V
             "CAT_", "CAT_DEF_", "FILTER", "NS_DESC_", "BU_SG_REL_", "BU_EV_REL_", "BU_BO_REL_")
 BEGINNING = re.compile(rf"\s*({'|'.join(KEYWORDS)})\b(?=[\s:\"]*[^\s:])|\s*(NS_|BS_|BU_)\s*:")
 # Statements within a text that is not closed; any other line there is the text's.
-CERTAIN = re.compile(r"\s*(?:BO_\s+\d+\s+\S+\s*:\s*\d|SG_\s+[^\s:]+(?:\s+[Mm]\w*)?\s*:\s*\d+\s*\||CM_\s+(?:(?:SG_|BO_)\s+\d|(?:BU_|EV_)\s+\S+\s+\"|\")|"
-                     r"VAL_\s+\d+\s+\S+\s+-?\d|BA_(?:DEF_|DEF_DEF_)?\s+(?:\w+_\s+)?\"|SIG_VALTYPE_\s+\d|SG_MUL_VAL_\s+\d)")
+CERTAIN = re.compile(r"\s*(?:BO_\s+\d+\s+\S+\s*:\s*\d|SG_\s+[^\s:]+(?:\s+[Mm]\w*)?\s*:\s*\d+\s*\||"
+                     r"CM_\s+(?:(?:SG_|BO_)\s+\d|(?:BU_|EV_)\s+\S+\s+\"|\")|VAL_\s+\d+\s+\S+\s+-?\d|BA_(?:DEF_|DEF_DEF_)?\s+(?:\w+_\s+)?\"|SIG_VALTYPE_\s+\d|SG_MUL_VAL_\s+\d)")
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 MESSAGE = re.compile(r"\s*BO_\s+(\w+)\s+([^\s:]+)\s*:\s*(\d+)(?:\s+(\S+))?\s*")
 SIGNAL = re.compile(rf"\s*SG_\s+([^\s:]+)(?:\s+(M|m\d*M?))?\s*:\s*(\d+)\s*\|\s*(\d+)\s*@\s*([01])\s*([+-])\s*"
@@ -25,7 +25,8 @@ FLOAT = re.compile(r"\s*SIG_VALTYPE_\s+(\d+)\s+([^\s:]+)\s*:?\s*(\d)\s*(?:;|\Z)"
 PAGES = re.compile(r"\s*SG_MUL_VAL_\s+(\d+)\s+(\S+)\s+(\S+)\s+(\d+\s*-\s*\d+(?:[\s,]+\d+\s*-\s*\d+)*)\s*(?:;|\Z)")
 DEFINITION = re.compile(r'\s*BA_DEF_\s+(?:(?:SG_|BO_|BU_|EV_)\s+)?"([^"]*)"\s+(\w+)([^;]*)(?:;|\Z)')
 DEFAULT = re.compile(r'\s*BA_DEF_DEF_\s+"([^"]*)"\s*(?:"([^"]*)"|([^\s;]+))\s*(?:;|\Z)')
-ATTRIBUTE = re.compile(r'\s*BA_\s+"([^"]*)"\s*(?:(BO_|SG_|BU_|EV_)\s+([^\s"]+)\s+)?(?:([^\s";]+)\s+)??(?:"([^"]*)"|([^\s";]+))\s*(?:;|\Z)')
+ATTRIBUTE = re.compile(r'\s*BA_\s+"([^"]*)"\s*(?:(BO_|SG_|BU_|EV_)\s+([^\s"]+)\s+)?(?:([^\s";]+)\s+)??'
+                       r'(?:"([^"]*)"|([^\s";]+))\s*(?:;|\Z)')
 
 EXTENDED = 0x8000_0000
 INDEPENDENT = (0xC000_0000, 0x4000_0000)  # signals of no message
@@ -97,8 +98,8 @@ class DbcFile:
                    "BA_DEF_DEF_": self._default, "BA_": self._attribute, "BS_": self._timing}
         # Statements may stand before what they are about.
         order = {"": 0, "BO_": 0, "SG_": 0, "BS_": 0, "BA_DEF_": 0, "BA_DEF_DEF_": 1}
-        found = [(order.get(keyword, 2), line, keyword, lines) for line, keyword, lines in statements(text) if keyword in readers]
-        for _, line, keyword, lines in sorted(found, key=lambda one: one[0]):
+        found = [statement for statement in statements(text) if statement[1] in readers]
+        for line, keyword, lines in sorted(found, key=lambda statement: order.get(statement[1], 2)):
             readers[keyword](line, lines)
         for block in self.blocks:
             name = self._formats.get(block, self._default_format)

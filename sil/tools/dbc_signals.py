@@ -79,8 +79,8 @@ def sorted_out(blocks, odd):
     if not blocks:
         return []
     try:
-        return cantools.database.load_string(dbc_file.BEGIN + dbc_file.DEFINITIONS + "".join(block.text() for block in blocks), "dbc",
-                                             strict=False).messages
+        text = dbc_file.BEGIN + dbc_file.DEFINITIONS + "".join(block.text() for block in blocks)
+        return cantools.database.load_string(text, "dbc", strict=False).messages
     except Exception as error:  # of many kinds
         if len(blocks) > 1:
             return sorted_out(blocks[:len(blocks) // 2], odd) + sorted_out(blocks[len(blocks) // 2:], odd)
@@ -294,9 +294,9 @@ def of_parameter_groups(messages, logs):
         other = wanted.stand_in
         if other is not None and other.count and not wanted.is_seen():
             address = min(identifier for log in logs for _, identifier in other.senders.get(log, ())) & 0xFF
-            print(f"sil/tools/logs: no frame has the identifier 0x{wanted.message.frame_id:X} of {wanted.message.name}: those of its "
-                  f"J1939 parameter group {parameter_group(wanted.message.frame_id)} are taken, from source address "
-                  f"0x{address:02X}", file=sys.stderr)
+            frame_id = wanted.message.frame_id
+            print(f"sil/tools/logs: no frame has the identifier 0x{frame_id:X} of {wanted.message.name}: those of its J1939 "
+                  f"parameter group {parameter_group(frame_id)} are taken, from source address 0x{address:02X}", file=sys.stderr)
             wanted = other
         used.append(wanted)
     return used

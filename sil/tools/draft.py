@@ -124,7 +124,8 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
-        times = [signal for signal in self.signals if re.match(r"(t|\w*time\w*|\w*zeit\w*)( |$)", signal_names.words(signal.name))]
+        times = [signal for signal in self.signals
+                 if re.match(r"(t|\w*time\w*|\w*zeit\w*)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
@@ -338,8 +339,8 @@ def sign_lines(name, evidence, sign_key):
     left = evidence.sign_if_left(name)
     if left is None:
         return [question + ("; the log does not show it" if evidence.present is not None and name != "bank_angle" else "")]
-    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s of the drive: {answers[left]} if that was to the left, "
-                      f"{answers[-left]} if to the right"]
+    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s of the drive: {answers[left]} if that was to "
+                      f"the left, {answers[-left]} if to the right"]
 
 
 def vertical_lines(evidence):

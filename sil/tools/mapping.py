@@ -143,9 +143,8 @@ class Mapping:
         values = table.get("range")
         if values is None or values == IGNORED:
             return values
-        if (not isinstance(values, list) or len(values) != 2 or any(isinstance(value, bool) or not isinstance(value, (int, float))
-                                                                    or not math.isfinite(value) for value in values)
-                or not values[0] < values[1]):
+        if not isinstance(values, list) or len(values) != 2 or not all(is_number(value) for value in values) \
+                or not values[0] < values[1]:
             self.fail(name, "range", f"must be [least, largest] of the log's numbers, or \"{IGNORED}\"")
         return float(values[0]), float(values[1])
 
@@ -159,7 +158,7 @@ class Mapping:
 
     def _number(self, name, table, key, default):
         value = table.get(key, default)
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        if not is_number(value):
             self.fail(name, key, "must be a finite number")
         return float(value)
 
@@ -169,9 +168,13 @@ class Mapping:
         factor = factor_of(entry.unit if entry.unit is not None else unit_of_log, dimension)
         if factor is None:
             said = f"'{unit_of_log}'" if unit_of_log else "none"
-            self.fail(entry.quantity, role, f"is {signals_of(entry)[role]}, whose unit in the log or DBC file ({said}) does not do; add "
-                                                f"unit = one of {admitted(dimension)}")
+            self.fail(entry.quantity, role, f"is {signals_of(entry)[role]}, whose unit in the log or DBC file ({said}) does not "
+                                            f"do; add unit = one of {admitted(dimension)}")
         return factor
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def signals_of(entry):

@@ -115,13 +115,14 @@ def signed(magnitude, sign, *_):
 
 def difference(first, second, entry, mapping):
     """The first less the second, in the unit of the first."""
+    reason = "nothing to subtract at their time"
     if len(second.times_us) < 2:
-        return known_part(first, numpy.zeros(len(first.times_us), dtype=bool), first.values[:0], "nothing to subtract at their time")
+        return known_part(first, numpy.zeros(len(first.times_us), dtype=bool), first.values[:0], reason)
     factor = mapping.unit_factor(entry, second.unit) / mapping.unit_factor(entry, first.unit)
     period_us = drive_rows.examine(second.times_us).period_us
     other, is_known = drive_rows.interpolated(second.times_us, second.values * factor, first.times_us,
                                               drive_rows.bridged_us(period_us), period_us)
-    return known_part(first, is_known, (first.values - other)[is_known], "nothing to subtract at their time")
+    return known_part(first, is_known, (first.values - other)[is_known], reason)
 
 
 def known_part(recorded, is_known, values, reason):

@@ -22,9 +22,10 @@ NAMES = {
                             r"\bveh lat( comp)? a\b",
     "roll_rate": rf"\b(roll|wank)\w* ?{RATE}\b|\b(rate|omega|gyro|w) ?(x|roll)\b|wankgeschw|wankrate|rollrate|rollgeschw|"
                  r"\bveh roll?( comp)? w\b",
-    "roll_angle": rf"\b(roll|wank)\w* ?{ANGLE}\b|\b(body|veh\w*|chassis) ?roll\b|^roll$|wankwinkel|rollwinkel|\bveh rol( comp)? an\b",
-    "speed": rf"\b(veh\w*|car|ego|fzg|fahrzeug\w*|wheel based|ground|gps|reference|ref)( veh\w*)? ?{RATE}\b|\bv ?(veh|ego|x|fzg)\b|"
-             r"fahrzeuggeschw|fahrgeschw|\bgeschw\w*|\bveh v\b|^(speed|velocity|v)$",
+    "roll_angle": rf"\b(roll|wank)\w* ?{ANGLE}\b|\b(body|veh\w*|chassis) ?roll\b|^roll$|wankwinkel|rollwinkel|"
+                  r"\bveh rol( comp)? an\b",
+    "speed": rf"\b(veh\w*|car|ego|fzg|fahrzeug\w*|wheel based|ground|gps|reference|ref)( veh\w*)? ?{RATE}\b|"
+             r"\bv ?(veh|ego|x|fzg)\b|fahrzeuggeschw|fahrgeschw|\bgeschw\w*|\bveh v\b|^(speed|velocity|v)$",
     "yaw_rate": rf"\b(yaw|gier)\w* ?{RATE}\b|\b(rate|omega|gyro|w) ?(z|yaw)\b|giergeschw|gierrate|yawrate|\bveh yaw( comp)? w\b",
     "vertical_acceleration": rf"\b(vert\w*|hoch|z) ?{ACCELERATION}\b|\b{ACCELERATION} ?(z|vert\w*)\b|\ba ?z\b|"
                              r"vertikalbeschl|hochbeschl|\bveh vert( comp)? a\b",
@@ -46,8 +47,8 @@ NOT_MEANT = (r"\b(qual\w*|q ?bit|qf|qly|valid\w*|vld|sta|stat\w*|offset|ofs|offs
              r"fehler|target|req\w*|cmd|command\w*|ack|set|setpoint|soll|wunsch\w*|desired|max\w*|min\w*|limit\w*|cruise|sign|dir|"
              r"direction|confid\w*|conf|plaus\w*|deviation|std|var\w*|press\w*|prs|druck|rpm|drehzahl\w*|obj\w*|rel|relative|"
              r"radar|lrr|srr|trk|track\w*|temp\w*|torque|trq|tq|moment\w*|pulse\w*|impuls\w*|dist\w*|accum\w*|factor|group|grp|"
-             r"src|source|reserv\w*|id|jerk|pitch|nick\w*|brake|brems\w*|trailer|trlr|traffic|curv\w*|lane|misalign\w*|ziel\w*|begrenz\w*|lim|mx|rq|trg|"
-             r"lead)\b")
+             r"src|source|reserv\w*|id|jerk|pitch|nick\w*|brake|brems\w*|trailer|trlr|traffic|curv\w*|lane|misalign\w*|ziel\w*|"
+             r"begrenz\w*|lim|mx|rq|trg|lead)\b")
 DOUBTFUL = r"\b(angez\w*|anz\w*|disp\w*|dsply|clu\w*|kombi|calc\w*)\b"  # as shown to the driver, or worked out from others
 SIGN = r"\b(vz|vorz\w*|sign|sgn|dir\w*|richtung|neg\w*|polarity)\b"
 FILLERS = r"\b(der|des|of|the)\b"

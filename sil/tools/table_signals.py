@@ -35,7 +35,8 @@ def read(logs, mapping):
     missing = {}
     for (quantity, _), one in collected.items():
         if not one.times_us or quantity not in missing and not len(recorded[quantity].times_us):
-            missing[quantity] = f"{one.name()} has no value" + (f", only texts, such as '{one.examples[0]}'" if one.examples else "")
+            texts = f", only texts, such as '{one.examples[0]}'" if one.examples else ""
+            missing[quantity] = f"{one.name()} has no value{texts}"
     return {name: one for name, one in recorded.items() if name not in missing}, missing
 
 

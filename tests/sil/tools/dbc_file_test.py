@@ -23,20 +23,20 @@ class DbcFile(support.WithFolder):
         file.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
         said = io.StringIO()
         with contextlib.redirect_stderr(said):
-            database = dbc_signals.load(file)
+            database = dbc_signals.Database([file])
         return database, said.getvalue()
 
     def odd(self, lines, expected, names=SOUND):
         """Reads a good file with these lines in it; `expected` counts lines from the first of them."""
         database, said = self.read(HEAD + MESSAGE + lines + "\n" + "BO_ 37 LAST: 1 ECU\n SG_ B : 0|8@1+ (1,0) [0|0] \"\" ECU\n")
-        self.assertEqual(set(dbc_signals.names_of(database)), names | {"LAST.B"}, lines)
+        self.assertEqual(set(database.signals), names | {"LAST.B"}, lines)
         self.assertIn(f"odd.dbc: {expected.count('line ')} odd line", said, lines)
         self.assertIn(expected.format(*range(FIRST_LINE, FIRST_LINE + 10)), said)
         return database
 
     def test_a_file_without_odd_lines_is_read_in_silence(self):
         database, said = self.read("\ufeff" + HEAD + MESSAGE)
-        self.assertEqual((set(dbc_signals.names_of(database)), said), (SOUND, ""))
+        self.assertEqual((set(database.signals), said), (SOUND, ""))
 
     def test_statements_about_nothing_are_left_out(self):
         left_out = "line {}: it is about {}: left out"
@@ -69,13 +69,13 @@ class DbcFile(support.WithFolder):
                 ("BO_ x Name: 8 ECU", "line {0}: 'x' is no identifier")):
             self.odd(lines, expected)
         database, said = self.read((HEAD + MESSAGE).replace("BS_:", "BS_: 500000 : 1,2"))
-        self.assertEqual(set(dbc_signals.names_of(database)), SOUND)
+        self.assertEqual(set(database.signals), SOUND)
         self.assertIn("odd.dbc: 1 odd line; line 7: the bit timing is not needed: left out", said)
 
     def test_lines_of_one_possible_meaning_are_mended(self):
         database = self.odd('BO_ 316476583 CAMERA: 8 ECU\n SG_ A : 0|8@1+ (1,0) [0|1] "" ECU\nCM_ SG_ 316476583 A "text";',
-                            "line {0}: message CAMERA's identifier 316476583 has more than 11 bits, but not bit 31 that should say "
-                            "so: read as one of 29", SOUND | {"CAMERA.A"})
+                            "line {0}: message CAMERA's identifier 316476583 has more than 11 bits, but not bit 31 that should "
+                            "say so: read as one of 29", SOUND | {"CAMERA.A"})
         camera = next(message for message in database.messages if message.name == "CAMERA")
         self.assertEqual((camera.frame_id, camera.is_extended_frame, camera.signals[0].comment), (316476583, True, "text"))
         # Names that are no words, numbers without a zero, ranges that are no numbers, a semicolon that is missing.
@@ -84,7 +84,7 @@ class DbcFile(support.WithFolder):
         for encoding in ("utf-8", "cp1252"):
             database, said = self.read((HEAD + MESSAGE + lines).encode(encoding))
             self.assertEqual(said, "")
-            self.assertEqual(set(dbc_signals.names_of(database)), SOUND | {"2017_\u00e4.0_R\u00e4der", "2017_\u00e4.Gierrate-1"})
+            self.assertEqual(set(database.signals), SOUND | {"2017_\u00e4.0_R\u00e4der", "2017_\u00e4.Gierrate-1"})
             message = database.messages[1]
             self.assertEqual(message.decode(bytes([3, 244, 1, 0, 0, 0, 0, 0])), {"0_R\u00e4der": 3, "Gierrate-1": 124.5})
             self.assertEqual(str(message.decode(bytes([1, 0, 0, 0, 0, 0, 0, 0]), allow_truncated=True)["0_R\u00e4der"]), "on")
@@ -95,7 +95,8 @@ class DbcFile(support.WithFolder):
                             'BA_ "VFrameFormat" BO_ 2566844926 3;\nVAL_ 36 Gone 0 "x";', "line {5}: it is about a signal Gone",
                             SOUND | {"CCVS.F"})
         message = next(message for message in database.messages if message.name == "CCVS")
-        self.assertEqual((message.protocol, message.signals[0].is_float, message.frame_id), ("j1939", True, 2566844926 & ~(1 << 31)))
+        self.assertEqual((message.protocol, message.signals[0].is_float), ("j1939", True))
+        self.assertEqual(message.frame_id, 2566844926 & ~(1 << 31))
 
     def test_a_message_that_the_parser_refuses_costs_that_message(self):
         blocks = dbc_file.DbcFile("".join(f'BO_ {number} M{number}: 8 ECU\n SG_ A : 0|8@1+ (1,0) [0|1] "" ECU\n'

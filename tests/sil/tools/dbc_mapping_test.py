@@ -103,7 +103,8 @@ class DbcMapping(drive_support.WithDrives):
             time_s = number / 100
             height = 500.0 * TRACK_M * math.tan(math.radians(angle_deg(time_s)))
             rate = yaw_degps(time_s)
-            lines.append(f"{time_s},{math.radians(rate) * 20.0},{6.0 * math.cos(1.5 * time_s)},72,{abs(rate)},{int(rate < 0)},{height},{-height}")
+            values = (time_s, math.radians(rate) * 20.0, 6.0 * math.cos(1.5 * time_s), 72, abs(rate), int(rate < 0), height, -height)
+            lines.append(",".join(str(value) for value in values))
         table.write_text("\n".join(lines) + "\n", encoding="utf-8")
         mapping = self.mapping('time = {signal = "t"}\nlateral_acceleration = {signal = "ay", unit = "m/s^2"}\n'
                                'roll_rate = {signal = "p", unit = "deg/s"}\nspeed = {signal = "v", unit = "km/h"}\n'
@@ -141,8 +142,8 @@ class DbcMapping(drive_support.WithDrives):
         refused(("distance_m = 1.6", ""), "12: roll_angle.minus needs the other one: ")
         refused(('minus = "RIGHT.HeightRight"', ""), "13: roll_angle.distance_m needs the other one: ")
         refused(("distance_m = 1.6", "distance_m = 0"), "13: roll_angle.distance_m is 0, but must be more than 0")
-        refused(('"RIGHT.HeightRight"', '"BODY.Yaw"'), "12: roll_angle.minus is BODY.Yaw, whose unit in the log or DBC file ('deg/s') "
-                                                       "does not do; add unit = one of m, ")
+        refused(('"RIGHT.HeightRight"', '"BODY.Yaw"'), "12: roll_angle.minus is BODY.Yaw, whose unit in the log or DBC "
+                                                       "file ('deg/s') does not do; add unit = one of m, ")
         refused(('"BODY.Speed"', '"BODY.Speed"\nminus = "BODY.Speed"\ndistance_m = 1'), "7: speed.minus makes an angle of ")
         for wrong in ('"all"', "[1]", "[2, 1]", "[true, 2]", '["a", 2]', "[0, inf]"):
             refused(('"KIN.Ay"', f'"KIN.Ay"\nrange = {wrong}'), "3: lateral_acceleration.range must be [least, largest] of ")
@@ -207,8 +208,8 @@ class DbcMapping(drive_support.WithDrives):
         text = MAPPING.replace("KIN.RollRate", "IMU.RollRate")
         arguments = ["drive", log, "--dbc", car, "--dbc", imu, "--output", self.folder / "both.csv", "--mapping"]
         mapping = self.mapping(text)
-        self.refused(f"{mapping}:4: roll_rate.signal is IMU.RollRate, and 0x26 is another message in another DBC file; say on which "
-                     "bus", *arguments, mapping)
+        self.refused(f"{mapping}:4: roll_rate.signal is IMU.RollRate, and 0x26 is another message in another DBC file; say on "
+                     "which bus", *arguments, mapping)
         said = self.logs(*arguments, self.mapping(text.replace('"IMU.RollRate"', '"IMU.RollRate"\nbus = 2').replace(
             "distance_m", "bus = 1\ndistance_m")))
         self.assertIn(f"{imu}: has IMU (0x26), which is RIGHT in {car}: a mapping of either needs its bus", said)
@@ -233,21 +234,21 @@ class DbcMapping(drive_support.WithDrives):
                 for frame in frames()]
         log = self.written("candump", sent)
         drive, said = self.drive(log, dbc=dbc, mapping=self.mapping(MAPPING))
-        self.assertIn("no frame has the identifier 0x18FF0CFE of KIN: those of its J1939 parameter group 65292 are taken, from source "
-                      "address 0x21", said)
+        self.assertIn("no frame has the identifier 0x18FF0CFE of KIN: those of its J1939 parameter group 65292 are taken, from "
+                      "source address 0x21", said)
         self.assertEqual(len(self.rows(drive)), STEPS)
         drafted = self.folder / "drafted.toml"
         said = self.logs("draft", "--dbc", dbc, "--log", log, "--output", drafted)
         self.assertIn("of KIN: those of its J1939 parameter group 65292 are taken", said)
         self.assertIn('signal = "KIN.Ay"\nunit = "m/s^2"  # as it says there\nsign = "?"', drafted.read_text(encoding="utf-8"))
         # A frame that has the identifier is enough for no other to be taken.
-        both = [part for frame in sent for part in ((frame, frame._replace(identifier=0x18FF_0CFE)) if frame.identifier == 0x18FF_0C21
-                                                    else (frame,))]
-        _, said = self.drive(self.written("candump", both), dbc=dbc, mapping=self.mapping(MAPPING))
+        def beside(identifier):
+            return self.written("candump", [part for frame in sent for part in (
+                (frame, frame._replace(identifier=identifier)) if frame.identifier == 0x18FF_0C21 else (frame,))])
+
+        _, said = self.drive(beside(0x18FF_0CFE), dbc=dbc, mapping=self.mapping(MAPPING))
         self.assertNotIn("identifier 0x18FF0CFE", said)
-        others = [part for frame in sent for part in ((frame, frame._replace(identifier=0x18FF_0C33)) if frame.identifier == 0x18FF_0C21
-                                                      else (frame,))]
-        log = self.written("candump", others)
+        log = beside(0x18FF_0C33)
         self.drive_refused(f"{self.mapping(MAPPING)}:2: lateral_acceleration.signal is of KIN, which several senders send (source "
                            "addresses 0x21 and 0x33)", log, dbc=dbc, mapping=self.mapping(MAPPING))
 

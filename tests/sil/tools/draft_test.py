@@ -127,7 +127,8 @@ class Draft(drive_support.WithDrives):
     def test_impossible_signals_are_not_drafted(self):
         """Units of other dimensions, and names of pressures, speeds of wheels, checksums, counters, faults and objects."""
         def found(quantity, name, unit="", message="M"):
-            return [signal.name for signal in signal_names.candidates(quantity, [Candidate(f"{message}.{name}", name, unit, "")])[0]]
+            candidate = Candidate(f"{message}.{name}", name, unit, "")
+            return [signal.name for signal in signal_names.candidates(quantity, [candidate])[0]]
 
         load = "wheel_load_front_left"
         for quantity, name, unit in (
@@ -144,14 +145,18 @@ class Draft(drive_support.WithDrives):
 
     def test_names_and_units_of_other_makers_and_in_german(self):
         for quantity, name, unit in (
-                ("yaw_rate", "Gierrate", "Grad/s"), ("yaw_rate", "Giergeschwindigkeit", "Grad/sek"), ("yaw_rate", "VehYaw_W_Actl", "rad/s"),
-                ("yaw_rate", "IMU_Yaw", "deg/sec"), ("yaw_rate", "YawRte", "\u00ba/s"), ("yaw_rate", "YawRt", "Unit_DegreOfArcPerSecon"),
+                ("yaw_rate", "Gierrate", "Grad/s"), ("yaw_rate", "Giergeschwindigkeit", "Grad/sek"),
+                ("yaw_rate", "VehYaw_W_Actl", "rad/s"),
+                ("yaw_rate", "IMU_Yaw", "deg/sec"), ("yaw_rate", "YawRte", "\u00ba/s"),
+                ("yaw_rate", "YawRt", "Unit_DegreOfArcPerSecon"),
                 ("lateral_acceleration", "Querbeschleunigung", "Unit_ForceOfGravi"), ("lateral_acceleration", "Acc_Lat", "m/s**2"),
                 ("lateral_acceleration", "VehLat_A_Actl", "m/s^2"), ("lateral_acceleration", "Lateral", "m/s2"),
-                ("roll_rate", "Wankrate", "Grad/s"), ("roll_rate", "VehRol_W_Actl", "rad/s"), ("roll_rate", "Inertial1RollRte", "deg/s"),
+                ("roll_rate", "Wankrate", "Grad/s"), ("roll_rate", "VehRol_W_Actl", "rad/s"),
+                ("roll_rate", "Inertial1RollRte", "deg/s"),
                 ("roll_rate", "IMU_Roll", "deg/s"), ("roll_angle", "Wankwinkel", "Grad"), ("roll_angle", "IMU_Roll", "deg"),
                 ("steering_wheel_angle", "Lenkradwinkel", "Unit_DegreOfArc"), ("steering_wheel_angle", "SteWhl_An_Est", "deg"),
-                ("speed", "Fahrzeuggeschwindigkeit", "km/h"), ("speed", "Geschwindigkeit", "Km / h"), ("speed", "Veh_V_Actl", "kph"),
+                ("speed", "Fahrzeuggeschwindigkeit", "km/h"), ("speed", "Geschwindigkeit", "Km / h"),
+                ("speed", "Veh_V_Actl", "kph"),
                 ("speed", "v_Fzg", "km/Std"), ("vertical_acceleration", "Hochbeschleunigung", "m/s\u00b2"),
                 ("wheel_load_rear_left", "Radlast HL", "kN"), ("wheel_load_front_right", "Fz_FR", "N"),
                 ("vehicle_mass", "Gesamtmasse", "kg")):
@@ -186,8 +191,8 @@ class Draft(drive_support.WithDrives):
             frames.append(Frame(1_700_000_000.0 + number / 100, 1, 0x101, False, data, False, False, False))
         file, _ = self.drafted("--dbc", dbc, "--log", self.written("candump", frames))
         text = file.read_text(encoding="utf-8")
-        turn = re.search(r'signal = "ESP.Gierrate"\n.*\nsign = "\?"  # it is a magnitude, with its sign beside it: .*\n.* hardest at '
-                         r"(\S+) s of the drive: (.*)", text)
+        turn = re.search(r'signal = "ESP.Gierrate"\n.*\nsign = "\?"  # it is a magnitude, with its sign beside it: .*\n.* '
+                         r"hardest at (\S+) s of the drive: (.*)", text)
         self.assertIsNotNone(turn, text)
         self.assertEqual(turn[2], '"-ESP.VZ_Gierrate" if that was to the left, "ESP.VZ_Gierrate" if to the right')
         self.assertTrue(5.5 < float(turn[1]) < 6.0, turn[1])
@@ -198,7 +203,8 @@ class Draft(drive_support.WithDrives):
 
     def test_a_german_table_is_drafted(self):
         table = self.folder / "fahrt.csv"
-        lines = ["Zeit [s];Geschwindigkeit [km/h];Querbeschleunigung [m/s\u00b2];Gierrate [Grad/s];Reifendruck VL [bar];Radlast VL [N]"]
+        lines = ["Zeit [s];Geschwindigkeit [km/h];Querbeschleunigung [m/s\u00b2];Gierrate [Grad/s];Reifendruck VL [bar];"
+                 "Radlast VL [N]"]
         for number in range(500):
             ay = 0.01 * number
             lines.append(f"{number / 50};72,0;{-ay};{ay * 2.865:.3f};2,2;4000".replace(".", ","))
@@ -206,7 +212,8 @@ class Draft(drive_support.WithDrives):
         file, said = self.drafted("--log", table)
         text = file.read_text(encoding="utf-8")
         self.assertIn('[time]\nsignal = "Zeit [s]"\nunit = "s"', text)
-        self.assertRegex(text, r'signal = "Querbeschleunigung \[m/s\u00b2\]"\nunit = .*\nsign = "\?".*\n#.*: -1 if that was to the left')
+        self.assertRegex(text, r'signal = "Querbeschleunigung \[m/s\u00b2\]"\nunit = .*\nsign = "\?".*\n'
+                               r"#.*: -1 if that was to the left")
         self.assertRegex(text, r'signal = "Gierrate \[Grad/s\]"\nunit = "Grad/s".*\nsign = "\?".*\n#.*: 1 if that was to the left')
         # One wheel's load alone is of no use.
         self.assertIn("3 of 13 quantities drafted", said)
