@@ -15,7 +15,7 @@ import progress
 from bus_log_writers import number_of
 from bus_logs import BusLog
 from log_error import LogError
-from mapping import closest, signals_of
+from mapping import IGNORED, closest, signals_of
 from recorded import OUTSIDE, TEXTS, Clock, Collected, combined
 
 EXTENDED = 0x8000_0000
@@ -368,7 +368,7 @@ def why_empty(roles, dbc):
         return f"every value of {collected.name()} is a text, such as '{collected.examples[0]}'"
     if left_out.get(OUTSIDE):
         return (f"every value of {collected.name()} is outside {signal.minimum} to {signal.maximum}, the DBC file's "
-                "range: not available, or of another DBC file")
+                f"range: not available, or of another DBC file; range = \"{IGNORED}\" in the mapping takes them")
     if len(collected.recorded().times_us):
         return f"{' and '.join(one.name() for _, one in roles.values())} have no value at the same time"
     return (f"there is no value of {collected.name()} in {wanted.count} frames of {name}; {wanted.undecodable} more could "

@@ -39,8 +39,10 @@ def make(dbc, log, output):
     source = DbcSource(dbc_signals.Database(dbc), log) if dbc else TableSource(log)
     choices = {}
     for quantity in QUANTITIES:
-        found, is_clear = signal_names.candidates(quantity, source.signals)
-        choices[quantity] = Choice(quantity, source.with_frames(found), is_clear)
+        found, is_clear = signal_names.candidates(quantity, source.in_log)
+        if not found:
+            found, is_clear = signal_names.candidates(quantity, source.signals)
+        choices[quantity] = Choice(quantity, found, is_clear)
     if not all(choices[name].found for name in WHEEL_LOADS):  # fewer than four are of no use
         choices.update({name: Choice(name, [], False) for name in WHEEL_LOADS})
     evidence = Evidence(source, choices, log)
@@ -71,6 +73,7 @@ class DbcSource:
         self.signals = [Candidate(f"{message.name}.{signal.name}", signal.name, signal.unit or "", signal.comment)
                         for message in database.messages for signal in message.signals
                         if not dbc_signals.is_enumeration(signal) and signal.length > 1]
+        self.in_log = self.signals
         self.buses = collections.defaultdict(set)
         if log:
             for frame in progress.reported(BusLog(log)):
@@ -78,7 +81,8 @@ class DbcSource:
                 self.buses["id", identifier].add(frame.bus)
                 if frame.extended:
                     self.buses["pgn", dbc_signals.parameter_group(frame.identifier)].add(frame.bus)
-            if not any(self.buses_of(signal) for signal in self.signals):
+            self.in_log = [signal for signal in self.signals if self.is_there(signal)]
+            if not self.in_log:
                 raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
 
     def head(self):
@@ -110,9 +114,6 @@ class DbcSource:
         flag = signal_names.sign_of(known.name, [other.name for other in message.signals if other.length == 1])
         return f"{message.name}.{flag}" if flag else None
 
-    def with_frames(self, found):
-        return sorted(found, key=lambda signal: not self.buses_of(signal)) if self.log else found
-
     def read(self, entries):
         return dbc_signals.read([self.log], self.database, AsDrafted(entries))[0]
 
@@ -124,6 +125,7 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
+        self.in_log = self.signals
         times = [signal for signal in self.signals
                  if re.match(r"(t|\w*time\w*|\w*zeit\w*)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
@@ -150,9 +152,6 @@ class TableSource:
 
     def sign_of(self, _):
         return None
-
-    def with_frames(self, found):
-        return found
 
     def read(self, entries):
         if self.is_csv and not self.time:
@@ -299,7 +298,8 @@ def block(choice, source, evidence):
         lines.append(f"# DBC: {' '.join(first.comment.split())[:110]}")
     lines += [f"# LOOK: {doubt}" for doubt in evidence.doubts.get(choice.quantity, ())]
     lines += unit_lines(quantity, first)
-    if is_signed(choice.quantity) and source.is_magnitude(first) and not source.sign_of(first):
+    if is_signed(choice.quantity) and choice.quantity != "vertical_acceleration" and source.is_magnitude(first) \
+            and not source.sign_of(first):
         lines.append("# LOOK: its bits have no room for negative values; does another signal have the sign, then sign = "
                      "\"Message.Signal\"?")
     lines += sign_lines(choice.quantity, evidence, source.sign_of(first))

@@ -194,6 +194,12 @@ class DbcMapping(drive_support.WithDrives):
         self.assertIn(f"of {car} and {imu} and {log}.", text)
         self.assertIn('signal = "IMU.RollRate"', text)
         self.assertIn('signal = "KIN.Ay"', text)
+        # A signal that is likelier by its name, but not in the log, is no candidate.
+        self.dbc("imu.dbc", IMU + 'BO_ 51 IMU2: 8 N\n SG_ RollRate : 0|16@1- (0.01,0) [-300|300] "deg/s" N\n')
+        drafted.unlink()
+        self.logs("draft", "--dbc", car, "--dbc", imu, "--log", log, "--output", drafted)
+        self.assertIn('[roll_rate]\nsignal = "IMU.RollRate"', drafted.read_text(encoding="utf-8"))
+        self.dbc("imu.dbc", IMU)
         decoded = self.logs("decode", log, "--dbc", car, "--dbc", imu, "--output", self.folder / "decoded")
         self.assertIn("400 KIN, 400 BODY, 400 RIGHT, 400 IMU", decoded)
         self.drive_refused(f"{mapping}:2: lateral_acceleration.signal is 'KIN.Ay', but {imu} has no such signal", log, dbc=imu,
