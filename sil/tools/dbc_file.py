@@ -14,9 +14,9 @@ BEGINNING = re.compile(rf"\s*({'|'.join(KEYWORDS)})\b(?=[\s:\"]*[^\s:])|\s*(NS_|
 # Statements within a text that is not closed; any other line there is the text's.
 CERTAIN = re.compile(r"\s*(?:BO_\s+\d+\s+\S+\s*:\s*\d|SG_\s+[^\s:]+(?:\s+[Mm]\w*)?\s*:\s*\d+\s*\||"
                      r"CM_\s+(?:(?:SG_|BO_)\s+\d|(?:BU_|EV_)\s+\S+\s+\"|\")|VAL_\s+\d+\s+\S+\s+-?\d|BA_(?:DEF_|DEF_DEF_)?\s+(?:\w+_\s+)?\"|SIG_VALTYPE_\s+\d|SG_MUL_VAL_\s+\d)")
-NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
+NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?"
 MESSAGE = re.compile(r"\s*BO_\s+(\w+)\s+([^\s:]+)\s*:\s*(\d+)(?:\s+(\S+))?\s*")
-SIGNAL = re.compile(rf"\s*SG_\s+([^\s:]+)(?:\s+(M|m\d*M?))?\s*:\s*(\d+)\s*\|\s*(\d+)\s*@\s*([01])\s*([+-])\s*"
+SIGNAL = re.compile(rf"\s*SG_\s+([^\s:]+)(?:\s+(M|m\d{{0,9}}M?))?\s*:\s*(\d+)\s*\|\s*(\d+)\s*@\s*([01])\s*([+-])\s*"
                     rf"\(\s*({NUMBER})\s*,\s*({NUMBER})\s*\)\s*(?:\[([^\]|]*)\|([^\]|]*)\])?\s*(?:\"(.*)\")?[^\"]*")
 COMMENT = re.compile(r'\s*CM_\s+(?:(SG_|BO_|BU_|EV_)\s+([^\s"]+)(?:\s+([^\s"]+))?\s*)?"(.*)"\s*;?', re.DOTALL)
 VALUES = re.compile(rf'\s*VAL_\s+(\d+)\s+([^\s"]+)((?:\s*{NUMBER}\s*"(?:\\"|[^"])*")*)\s*(?:;|\Z)')
@@ -28,9 +28,14 @@ DEFAULT = re.compile(r'\s*BA_DEF_DEF_\s+"([^"]*)"\s*(?:"([^"]*)"|([^\s;]+))\s*(?
 ATTRIBUTE = re.compile(r'\s*BA_\s+"([^"]*)"\s*(?:(BO_|SG_|BU_|EV_)\s+([^\s"]+)\s+)?(?:([^\s";]+)\s+)??'
                        r'(?:"([^"]*)"|([^\s";]+))\s*(?:;|\Z)')
 
+# Numbers for which a strict parser takes memory and time without limit: places, lengths, pages and powers of ten.
+HUGE = re.compile(r"^[ \t]*SG_[^:\n]*(?:\sm\d{10,}|:\s*\d{6,}|:\s*\d+\s*\|\s*\d{6,})|^[ \t]*BO_\s+\w+\s+\S+\s*:\s*\d{6,}|"
+                  r"^[ \t]*SG_MUL_VAL_.*\d{6,}|\d[eE][-+]?\d{4,}", re.MULTILINE)
+
 EXTENDED = 0x8000_0000
 INDEPENDENT = (0xC000_0000, 0x4000_0000)  # signals of no message
 LONGEST_MESSAGE = 4096
+LONGEST_FRAME = 64  # whatever length a file says
 MOST_PAGES = 65_536
 FORMAT = "VFrameFormat"  # from which cantools knows J1939 and CAN FD
 FORMATS = ("StandardCAN", "ExtendedCAN", "reserved", "J1939PG", *["reserved"] * 10, "StandardCAN_FD", "ExtendedCAN_FD")
@@ -163,7 +168,7 @@ class DbcFile:
         if number > 0x1FFF_FFFF:
             self._leave_out(line, f"message {match[2]}'s identifier {given} has more than 29 bits")
             return
-        if int(match[3]) > LONGEST_MESSAGE:
+        if len(match[3]) > 4 or int(match[3]) > LONGEST_MESSAGE:
             self._leave_out(line, f"message {match[2]} of {match[3]} bytes")
             return
         if number > 0x7FF and not is_extended:
@@ -192,7 +197,8 @@ class DbcFile:
         if name in self._block.signals:
             self._leave_out(line, f"a second signal {name} in its message")
             return
-        if not 0 < int(length) <= 8 * LONGEST_MESSAGE or int(start) >= 8 * LONGEST_MESSAGE:
+        bits = 8 * max(self._block.length, LONGEST_FRAME)
+        if not 0 < int(length) <= bits or int(start) >= bits:
             self._leave_out(line, f"signal {name} of {length} bits from bit {start} on")
             return
         if not re.fullmatch(rf"\s*{NUMBER}\s*\|\s*{NUMBER}\s*", f"{low}|{high}"):

@@ -59,6 +59,8 @@ def load_dbc(path):
     """As it is; if a line of it is odd, statement by statement, without those that are."""
     text = dbc_file.text_of(path.read_bytes())
     try:
+        if dbc_file.HUGE.search(text):
+            raise ValueError("it has numbers beyond anything possible")
         # Foreign files have overlaps and lengths that contradict themselves, mostly in signals outside the mapping.
         return cantools.database.load_string(text, "dbc", strict=False)
     except Exception as error:  # of many kinds

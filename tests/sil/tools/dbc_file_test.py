@@ -108,6 +108,20 @@ class DbcFile(support.WithFolder):
         self.assertEqual([line for line, _ in odd], [9])
         self.assertIn("message M5 cannot be understood (", odd[0].what)
 
+    def test_huge_numbers_cost_neither_time_nor_memory(self):
+        for lines, expected in (
+                (' SG_ C : 400000000|8@1+ (1,0) [0|1] "" ECU', "line {0}: signal C of 8 bits from bit 400000000 on: left out"),
+                (' SG_ C : 0|400000000@1+ (1,0) [0|1] "" ECU', "line {0}: signal C of 400000000 bits from bit 0 on: left out"),
+                (' SG_ C : 600|8@1+ (1,0) [0|1] "" ECU\nVAL_ 9 x 0 "x";', "line {0}: signal C of 8 bits from bit 600 on: left out; "
+                                                                          "line {1}: "),
+                (' SG_ C m9999999999 : 0|8@1+ (1,0) [0|1] "" ECU', "line {0}: this is no signal"),
+                (' SG_ C : 0|8@1+ (1e400000000,0) [0|1] "" ECU', "line {0}: this is no signal"),
+                ("SG_MUL_VAL_ 36 Ay Yaw 0-400000000;", "line {0}: signal Ay on more than 65536 pages: left out"),
+                ("BO_ 50 Long: 4000000000 ECU", "line {0}: message Long of 4000000000 bytes: left out")):
+            started_s = time.process_time()
+            self.odd(lines, expected)
+            self.assertLess(time.process_time() - started_s, 2.0)
+
     def test_a_long_bad_file_takes_no_time(self):
         count = 1000
         bad = "".join(f'BO_ {number} M{number}: 8 ECU\n SG_ A : 0|8@1+ (1,0) [0|1] "" ECU\n SG_ B : 0|8@1+ (1,0 [0|1]\n'
