@@ -205,6 +205,8 @@ class Evidence:
             factor = factor_of(one.unit, QUANTITIES[name].dimension)
             if factor is None:
                 without_unit.add(name)
+            elif lacks_sign(name, first_of[name], source):
+                continue  # it shows no side
             columns[name] = drive_rows.sampled(one.times_us, one.values * (factor or 1.0), times_us)
         self.look(times_us, columns, without_unit)
 
@@ -298,8 +300,7 @@ def block(choice, source, evidence):
         lines.append(f"# DBC: {' '.join(first.comment.split())[:110]}")
     lines += [f"# LOOK: {doubt}" for doubt in evidence.doubts.get(choice.quantity, ())]
     lines += unit_lines(quantity, first)
-    if is_signed(choice.quantity) and choice.quantity != "vertical_acceleration" and source.is_magnitude(first) \
-            and not source.sign_of(first):
+    if lacks_sign(choice.quantity, first, source):
         lines.append("# LOOK: its bits have no room for negative values; does another signal have the sign, then sign = "
                      "\"Message.Signal\"?")
     lines += sign_lines(choice.quantity, evidence, source.sign_of(first))
@@ -320,6 +321,11 @@ def unit_lines(quantity, signal):
 
 def is_signed(name):
     return name not in ("speed", "vehicle_mass") and not name.startswith("wheel_load_")
+
+
+def lacks_sign(name, signal, source):
+    return (is_signed(name) and name != "vertical_acceleration" and source.is_magnitude(signal)
+            and source.sign_of(signal) is None)
 
 
 def sign_lines(name, evidence, sign_key):

@@ -197,6 +197,12 @@ class Draft(drive_support.WithDrives):
         self.assertEqual(turn[2], '"-ESP.VZ_Gierrate" if that was to the left, "ESP.VZ_Gierrate" if to the right')
         self.assertTrue(5.5 < float(turn[1]) < 6.0, turn[1])
         self.assertIn("of the drive: -1 if that was to the left, 1 if to the right", text)
+        # Without it, the magnitude tells no side: the lateral acceleration does.
+        dbc.write_text(MAGNITUDES.replace("VZ_Gierrate", "Bit"), encoding="utf-8")
+        file, _ = self.drafted("--dbc", dbc, "--log", self.folder / "recorded.candump")
+        other = file.read_text(encoding="utf-8")
+        self.assertRegex(other, r'signal = "ESP.Gierrate"\n.*\n# LOOK: its bits have .*\nsign = .*; the log does not show it')
+        self.assertRegex(other, r'signal = "ESP.QuerBeschl"\n(#.*\n)*unit.*\nsign.*\n.*: -1 if that was to the left')
         # A magnitude without a sign beside it is asked about, and a range that leaves a side out.
         self.assertRegex(text, r'signal = "ESP.LenkradWinkel"\n(.*\n)*?# LOOK: its bits have no room for negative values; ')
         self.assertIn("# LOOK: the DBC file's range 0 to 65535 of ESP.QuerBeschl would leave ", text)
