@@ -115,16 +115,47 @@ def verdict_on(link):
     return "agree"
 
 
+def outvoted(found):
+    """The signals that run against the most of those that they are linked to; none if neither side is the larger."""
+    clear = [link for link in found if abs(link.correlation) >= LEAST_CORRELATION]
+    sides, wrong = {}, []
+    for start in (signal_of(link.first) for link in clear):
+        if start in sides:
+            continue
+        sides[start], reached = 1, [start]
+        for name in reached:
+            for link in clear:
+                ends = signal_of(link.first), signal_of(link.second)
+                if name in ends:
+                    other = ends[name == ends[0]]
+                    if other not in sides:
+                        sides[other] = sides[name] * (1 if link.correlation > 0.0 else -1)
+                        reached.append(other)
+        groups = [[name for name in reached if sides[name] == side] for side in (1, -1)]
+        wrong += min(groups, key=len) if len(groups[0]) != len(groups[1]) else []
+    return wrong
+
+
+def signal_of(compared_with):
+    """The signal that "yaw_rate times speed" or "the change of roll_angle" is of."""
+    return compared_with.removesuffix(" times speed").removeprefix("the change of ")
+
+
 def reported(times_us, columns):
     """A line for each comparison, and whether something speaks against the mapping."""
     lines, is_doubtful = [], False
     rows = upright_rows(columns, len(times_us))
-    for link in links(times_us[:rows], {name: values[:rows] for name, values in columns.items()}):
+    found = links(times_us[:rows], {name: values[:rows] for name, values in columns.items()})
+    for link in found:
         text = f"{link.first} and {link.second}: correlation {link.correlation:+.2f}"
         text += f", ratio {link.slope:.3g}" if link.slopes else ""
         verdict = verdict_on(link)
         is_doubtful = is_doubtful or verdict.startswith("LOOK")
         lines.append(f"{text}: {verdict}")
+    wrong = outvoted(found)
+    if wrong:
+        run = "runs" if len(wrong) == 1 else "run"
+        lines.append(f"LOOK: {' and '.join(wrong)} {run} against the others: probably that sign is wrong")
     upright = upright_mps2(columns)
     if upright is not None and not 0.5 * G_MPS2 < upright < 2.0 * G_MPS2:
         is_doubtful = True

@@ -21,7 +21,7 @@ LEAST_TEXTS = 3
 
 def make(log_or_run, dbc, output):
     path, folder = places(log_or_run, output)
-    database = dbc_signals.load(dbc or DBC)
+    database = dbc_signals.Database(dbc or [DBC])
     messages = {}
     for message in database.messages:
         messages.setdefault(dbc_signals.key_of(message), Decoder(message))
@@ -39,7 +39,7 @@ def make(log_or_run, dbc, output):
                 continue
             decoder.take(frame, writers)
         if not any(decoder.count for decoder in messages.values()):
-            raise LogError(f"{path}: has no frame that {dbc or DBC} knows; give the DBC file of its frames with --dbc")
+            raise LogError(f"{path}: has no frame that {database.name} knows; give the DBC file of its frames with --dbc")
         for writer in writers:
             writer.finish()
     account(path, messages.values(), unknown, folder)

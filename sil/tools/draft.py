@@ -15,7 +15,7 @@ import table_signals
 import file_io
 from bus_log_writers import number_of
 from bus_logs import BusLog
-from drive_quantities import QUANTITIES, REQUIRED, admitted, factor_of
+from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS, admitted, factor_of
 from log_error import LogError
 from mapping import Entry
 from recorded import LONGEST_DRIVE_S
@@ -24,6 +24,7 @@ from signal_names import Candidate
 # All of these are positive in a left turn.
 SIGNED = ("lateral_acceleration", "roll_angle", "yaw_rate", "steering_wheel_angle")
 SMOOTHED_ROWS = 21
+STANDING_KMH = 1.0
 # Signals that distinguish a turn from a straight, the best first; in the units of the columns.
 TURNS = {"yaw_rate": 3.0, "lateral_acceleration": 1.0, "steering_wheel_angle": 20.0}
 NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, where there is no roll_angle",
@@ -35,11 +36,15 @@ def make(dbc, log, output):
         raise LogError("draft needs a DBC file (--dbc FILE), or a log that is decoded already (--log FILE): a CSV or an MF4")
     if output.exists():
         raise LogError(f"{output}: exists already, perhaps with answers in it; delete it, or choose another file with --output")
-    source = DbcSource(dbc, log) if dbc else TableSource(log)
+    source = DbcSource(dbc_signals.Database(dbc), log) if dbc else TableSource(log)
     choices = {}
     for quantity in QUANTITIES:
-        found, is_clear = signal_names.candidates(quantity, source.signals)
-        choices[quantity] = Choice(quantity, source.with_frames(found), is_clear)
+        found, is_clear = signal_names.candidates(quantity, source.in_log)
+        if not found:
+            found, is_clear = signal_names.candidates(quantity, source.signals)
+        choices[quantity] = Choice(quantity, found, is_clear)
+    if not all(choices[name].found for name in WHEEL_LOADS):  # fewer than four are of no use
+        choices.update({name: Choice(name, [], False) for name in WHEEL_LOADS})
     evidence = Evidence(source, choices, log)
     blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
     text = "\n".join(blocks)
@@ -50,7 +55,7 @@ def make(dbc, log, output):
 
 
 def beginning(dbc, log):
-    sources = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
+    sources = " and ".join(" ".join(str(path).split()) for path in [*(dbc or []), *([log] if log else [])])
     return (f"# A draft by `sil/tools/logs draft` of {sources}.\n"
             "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what\n"
             "# the keys mean.\n")
@@ -63,13 +68,12 @@ Choice = collections.namedtuple("Choice", "quantity found is_clear")
 class DbcSource:
     """The signals of a DBC file, and what a log has of them."""
 
-    def __init__(self, dbc, log):
-        self.dbc, self.log = dbc, log
-        database = dbc_signals.load(dbc)
-        self.messages = {message.name: message for message in database.messages}
+    def __init__(self, database, log):
+        self.database, self.log = database, log
         self.signals = [Candidate(f"{message.name}.{signal.name}", signal.name, signal.unit or "", signal.comment)
                         for message in database.messages for signal in message.signals
                         if not dbc_signals.is_enumeration(signal) and signal.length > 1]
+        self.in_log = self.signals
         self.buses = collections.defaultdict(set)
         if log:
             for frame in progress.reported(BusLog(log)):
@@ -77,20 +81,41 @@ class DbcSource:
                 self.buses["id", identifier].add(frame.bus)
                 if frame.extended:
                     self.buses["pgn", dbc_signals.parameter_group(frame.identifier)].add(frame.bus)
-            if not any(self.buses_of(signal) for signal in self.signals):
-                raise LogError(f"{log}: has no frame of any message of {dbc}; is it the right log or DBC file?")
+            self.in_log = [signal for signal in self.signals if self.is_there(signal)]
+            if not self.in_log:
+                raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
 
     def head(self):
         return []
 
     def buses_of(self, signal):
-        return sorted(self.buses.get(dbc_signals.key_of(self.messages[signal.key.partition(".")[0]]), ()), key=str)
+        message, _ = self.database.signals[signal.key]
+        buses = self.buses.get(dbc_signals.key_of(message), ())
+        if not buses and message.is_extended_frame:
+            buses = self.buses.get(("pgn", dbc_signals.parameter_group(message.frame_id)), ())
+        return sorted(buses, key=str)
 
-    def with_frames(self, found):
-        return sorted(found, key=lambda signal: not self.buses_of(signal)) if self.log else found
+    def is_contested(self, signal):
+        return dbc_signals.key_of(self.database.signals[signal.key][0]) in self.database.contested
+
+    def is_there(self, signal):
+        return bool(self.buses_of(signal))
+
+    def is_magnitude(self, signal):
+        """Whether its bits have no room for a negative value."""
+        _, known = self.database.signals[signal.key]
+        return not known.is_signed and not known.is_float and known.scale > 0 and known.offset >= 0
+
+    def sign_of(self, signal):
+        """The signal of one bit that is the sign of this magnitude; None if there is none."""
+        if not self.is_magnitude(signal):
+            return None
+        message, known = self.database.signals[signal.key]
+        flag = signal_names.sign_of(known.name, [other.name for other in message.signals if other.length == 1])
+        return f"{message.name}.{flag}" if flag else None
 
     def read(self, entries):
-        return dbc_signals.read([self.log], self.dbc, AsDrafted(entries))[0]
+        return dbc_signals.read([self.log], self.database, AsDrafted(entries))[0]
 
 
 class TableSource:
@@ -100,7 +125,9 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
-        times = [signal for signal in self.signals if re.match(r"(t|time\w*)( |$)", signal_names.words(signal.name))]
+        self.in_log = self.signals
+        times = [signal for signal in self.signals
+                 if re.match(r"(t|\w*time\w*|\w*zeit\w*)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
@@ -114,12 +141,21 @@ class TableSource:
     def buses_of(self, _):
         return []
 
-    def with_frames(self, found):
-        return found
+    def is_contested(self, _):
+        return False
+
+    def is_there(self, _):
+        return True
+
+    def is_magnitude(self, _):
+        return False
+
+    def sign_of(self, _):
+        return None
 
     def read(self, entries):
         if self.is_csv and not self.time:
-            return {}
+            return None
         mapping = AsDrafted(entries)
         mapping.time = (self.time.key, factor_of(self.time.unit, "time") or 1.0) if self.is_csv else None
         return table_signals.read([self.log], mapping)[0]
@@ -133,7 +169,7 @@ class AsDrafted:
     def __init__(self, entries):
         self.entries = entries
 
-    def unit_factor(self, entry, unit):
+    def unit_factor(self, entry, unit, _role="signal"):
         return factor_of(unit, QUANTITIES[entry.quantity].dimension) or 1.0
 
     def fail(self, table, _, what):
@@ -144,14 +180,18 @@ class Evidence:
     """Signs as the log shows them."""
 
     def __init__(self, source, choices, log):
-        self.columns, self.turn_s, self.present = {}, None, None
+        self.columns, self.turn_s, self.present, self.doubts = {}, None, None, {}
         if not log:
             return
         first_of = {name: choice.found[0] for name, choice in choices.items() if choice.found}
-        entries = [Entry(name, signal.key, None, 1.0, 0.0, 1, 0.0, bus_key(source.buses_of(signal)))
-                   for name, signal in first_of.items() if signal.key]
+        entries = [Entry(name, signal.key, None, 1.0, 0.0, 1, 0.0, bus_key(source.buses_of(signal)),
+                         source.sign_of(signal) if is_signed(name) else None)
+                   for name, signal in first_of.items() if source.is_there(signal)]
         recorded = source.read(entries)
+        if recorded is None:
+            return
         self.present = set(recorded)
+        self.doubts = {name: one.doubts for name, one in recorded.items()}
         recorded = {name: one for name, one in recorded.items() if len(one.times_us) > 1}
         if not recorded:
             return
@@ -165,6 +205,8 @@ class Evidence:
             factor = factor_of(one.unit, QUANTITIES[name].dimension)
             if factor is None:
                 without_unit.add(name)
+            elif lacks_sign(name, first_of[name], source):
+                continue  # it shows no side
             columns[name] = drive_rows.sampled(one.times_us, one.values * (factor or 1.0), times_us)
         self.look(times_us, columns, without_unit)
 
@@ -178,17 +220,33 @@ class Evidence:
         self._find_turn()
 
     def _find_turn(self):
-        anchors = [name for name in TURNS if name in self.columns]
-        if not anchors:
+        """The hardest turn, by the best signal that moves at all."""
+        for self.anchor in (name for name in TURNS if name in self.columns):
+            values = self.columns[self.anchor] - self._straight(self.anchor)
+            known = values[~numpy.isnan(values)]
+            if len(known) < SMOOTHED_ROWS or known.max() == known.min():
+                continue
+            values = numpy.where(numpy.isnan(values), 0.0, values)
+            smooth = numpy.convolve(values, numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
+            hardest = int(numpy.argmax(numpy.abs(smooth)))
+            least = TURNS[self.anchor] if self.anchor not in self.without_unit else 0.0
+            if abs(smooth[hardest]) > least:
+                self.turn_s, self.turn = (self.times_us[hardest] - self.times_us[0]) / 1.0e6, float(smooth[hardest])
             return
-        self.anchor = anchors[0]
-        values = numpy.where(numpy.isnan(self.columns[self.anchor]), 0.0, self.columns[self.anchor])
-        if len(values) < SMOOTHED_ROWS:
-            return
-        smooth = numpy.convolve(values - numpy.median(values), numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
-        hardest = int(numpy.argmax(numpy.abs(smooth)))
-        if abs(smooth[hardest]) >= TURNS[self.anchor] or self.anchor in self.without_unit:
-            self.turn_s, self.turn = self.times_us[hardest] / 1.0e6, float(smooth[hardest])
+
+    def _straight(self, name):
+        """The value of no turn, which a drive to one side has nowhere in its middle: that at rest, or zero; in a unit that is
+        not known that of the drive's beginning."""
+        values, speed = self.columns[name], self.columns.get("speed")
+        if speed is not None and "speed" not in self.without_unit and name != "steering_wheel_angle":
+            standing = values[(speed < STANDING_KMH) & ~numpy.isnan(values)]
+            if len(standing) >= consistency.UPRIGHT_ROWS:
+                return float(numpy.median(standing))
+        if name not in self.without_unit:
+            return 0.0
+        beginning = values[:consistency.UPRIGHT_ROWS]
+        beginning = beginning[~numpy.isnan(beginning)]
+        return float(numpy.median(beginning)) if len(beginning) else 0.0
 
     def sign_if_left(self, name):
         """The sign of the quantity if that turn was one to the left; None where the log does not tell."""
@@ -240,10 +298,17 @@ def block(choice, source, evidence):
         lines.append("# the log has no value of it: delete this table, unless other logs have it")
     if first.comment:
         lines.append(f"# DBC: {' '.join(first.comment.split())[:110]}")
-    lines += unit_lines(quantity, first) + sign_lines(choice.quantity, evidence)
+    lines += [f"# LOOK: {doubt}" for doubt in evidence.doubts.get(choice.quantity, ())]
+    lines += unit_lines(quantity, first)
+    if lacks_sign(choice.quantity, first, source):
+        lines.append("# LOOK: its bits have no room for negative values; does another signal have the sign, then sign = "
+                     "\"Message.Signal\"?")
+    lines += sign_lines(choice.quantity, evidence, source.sign_of(first))
     buses = source.buses_of(first)
     if len(buses) > 1:
         lines.append(f"bus = \"?\"  # it comes on the buses {', '.join(str(bus) for bus in buses)}")
+    elif source.is_contested(first):
+        lines.append("bus = \"?\"  # another DBC file has another message of this identifier; the bus of this one")
     return "\n".join(lines) + "\n"
 
 
@@ -254,20 +319,34 @@ def unit_lines(quantity, signal):
     return [f"unit = \"?\"  # {said}; one of those above, and where one number is not one of it, also factor"]
 
 
-def sign_lines(name, evidence):
-    if name in ("speed", "vehicle_mass") or name.startswith("wheel_load_"):
+def is_signed(name):
+    return name not in ("speed", "vehicle_mass") and not name.startswith("wheel_load_")
+
+
+def lacks_sign(name, signal, source):
+    return (is_signed(name) and name != "vertical_acceleration" and source.is_magnitude(signal)
+            and source.sign_of(signal) is None)
+
+
+def sign_lines(name, evidence, sign_key):
+    if not is_signed(name):
         return []
     if name == "vertical_acceleration":
         return vertical_lines(evidence)
     meaning = "left side up" if name == "bank_angle" else "a left turn"
     if name == "roll_rate":
         meaning = "rolling to the right, as when a left turn begins,"
+    answers = {1: "1", -1: "-1"}
     question = f"sign = \"?\"  # 1 if {meaning} is positive, -1 if negative"
+    if sign_key:
+        answers = {1: quoted(sign_key), -1: quoted("-" + sign_key)}
+        question = (f"sign = \"?\"  # it is a magnitude, with its sign beside it: {answers[1]} if {meaning} has the sign 0, "
+                    f"{answers[-1]} if 1")
     left = evidence.sign_if_left(name)
     if left is None:
         return [question + ("; the log does not show it" if evidence.present is not None and name != "bank_angle" else "")]
-    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s: {left} if that was to the left, {-left} if "
-                      "to the right"]
+    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s of the drive: {answers[left]} if that was to "
+                      f"the left, {answers[-left]} if to the right"]
 
 
 def vertical_lines(evidence):

@@ -18,26 +18,32 @@ from mapping import Mapping
 LONGEST_PERIOD_US = 21_000  # of what replays need in every row: 50 Hz, with room for a clock's error
 ROWS = 20_000               # written at a time
 LARGEST_VALUE = 1.0e9       # as rsi-sil replay has it
+KMH_PER_MPS = 3.6
 ALTERNATIVES = (("roll_angle",), ("speed", "yaw_rate"))
 
 
 def make(logs, dbc, mapping_file, output):
     mapping = Mapping(mapping_file)
     check_quantities(mapping)
-    for path in [*logs, mapping_file, *([dbc] if dbc else [])]:
+    for path in [*logs, mapping_file, *(dbc or [])]:
         if output.exists() and path.exists() and output.samefile(path):
             raise LogError(f"{path}: the result would take its place; choose another file with --output")
     log_names = ", ".join(str(path) for path in logs)
-    recorded, missing = dbc_signals.read(logs, dbc, mapping) if dbc else table_signals.read(logs, mapping)
+    recorded, missing = (dbc_signals.read(logs, dbc_signals.Database(dbc), mapping) if dbc else
+                         table_signals.read(logs, mapping))
     check_recorded(mapping, recorded, missing, log_names)
     recorded, start = from_zero(recorded)
     drive = Drive(mapping, recorded, missing, log_names)
     write(output, drive, [f"of {log_names}, by {mapping_file}"] + start)
     lines, is_doubtful = consistency.reported(drive.times_us, drive.columns)
-    print("\n".join([drive.account()] + start + lines))
+    doubts = [f"{name}: LOOK: {doubt}" for name, one in drive.recorded.items() for doubt in one.doubts]
+    print("\n".join([drive.account()] + start + lines + doubts))
     if is_doubtful:
         print("sil/tools/logs: the drive was written, but its signals contradict each other (LOOK above): check signs and units "
               f"in {mapping_file}", file=sys.stderr)
+    if doubts:
+        print(f"sil/tools/logs: the drive was written, but a range is not as the signal (LOOK above): say in {mapping_file} which "
+              "one it has", file=sys.stderr)
     print(f"  {output}")
 
 
@@ -155,7 +161,10 @@ def applied(entry, recorded, mapping):
     """In the unit, with the sign and at the time of the drive's column."""
     factor = mapping.unit_factor(entry, recorded.unit)
     with numpy.errstate(over="ignore"):
-        values = entry.sign * factor * (entry.factor * recorded.values + entry.offset) + 0.0  # no minus zero
+        values = factor * (entry.factor * recorded.values + entry.offset)
+        if entry.distance_m is not None:
+            values = slope(values, entry)
+        values = entry.sign * values + 0.0  # no minus zero
     is_possible = numpy.abs(values) <= LARGEST_VALUE
     absurd = len(values) - int(numpy.sum(is_possible))
     if absurd > len(values) / 2:
@@ -166,6 +175,13 @@ def applied(entry, recorded, mapping):
     left_out = {**recorded.left_out, **({"beyond anything possible": absurd} if absurd else {})}
     times_us = recorded.times_us - round(entry.lag_s * 1.0e6)
     return recorded._replace(times_us=times_us[is_possible], values=values[is_possible], left_out=left_out)
+
+
+def slope(difference, entry):
+    """The angle or rate of a body of which two points so far apart differ in height or speed."""
+    if QUANTITIES[entry.quantity].dimension == "angle":
+        return numpy.degrees(numpy.arctan(difference / entry.distance_m))
+    return numpy.degrees(difference / KMH_PER_MPS / entry.distance_m)
 
 
 def write(output, drive, remarks):

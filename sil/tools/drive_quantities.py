@@ -38,6 +38,7 @@ UNITS = {
     "speed": {"km/h": 1.0, "m/s": 3.6, "mph": 1.609344, "knot": 1.852},
     "mass": {"kg": 1.0, "t": 1000.0, "lb": POUND_KG},
     "force": {"N": 1.0, "kN": 1000.0, "kgf": G_MPS2, "lbf": POUND_KG * G_MPS2},
+    "length": {"m": 1.0, "cm": 1.0e-2, "mm": 1.0e-3, "inch": 0.0254, "ft": 0.3048},
     "time": {"s": 1.0, "ms": 1.0e-3, "us": 1.0e-6, "ns": 1.0e-9},
 }
 
@@ -46,9 +47,15 @@ SPELLINGS = {
     "ft/s2": "ft/s^2",
     "degps": "deg/s", "degs/s": "deg/s", "degpersec": "deg/s", "degpers": "deg/s", "dps": "deg/s", "deg/second": "deg/s",
     "radps": "rad/s", "radpers": "rad/s", "radpersec": "rad/s", "radians/s": "rad/s", "radiant/s": "rad/s",
-    "mpers": "m/s", "mpers2": "m/s^2",
+    "mpers": "m/s", "mpers2": "m/s^2", "meter/s": "m/s", "meters/s": "m/s", "meter/s2": "m/s^2", "gforce": "g", "g-force": "g",
+    "km/std": "km/h", "km/stunde": "km/h", "km/hour": "km/h", "kmph": "km/h", "kilometer/h": "km/h",
+    "millimeter": "mm", "meter": "m", "meters": "m", "centimeter": "cm", "kilogram": "kg", "kilograms": "kg",
+    # As VW's files abbreviate them.
+    "forceofgravi": "g", "meterperseconsquar": "m/s^2", "meterpersquaresecond": "m/s^2", "degreofarcpersecon": "deg/s",
+    "radianpersecon": "rad/s", "degreofarc": "deg", "kilometerperhour": "km/h", "meterpersecon": "m/s",
+    "meterpersecond": "m/s", "newto": "n", "kilonewto": "kn",
     "degrees": "deg", "degree": "deg", "degs": "deg", "radians": "rad", "radian": "rad", "radiant": "rad",
-    "kmh": "km/h", "kph": "km/h", "km/hr": "km/h", "kmph": "km/h",
+    "kmh": "km/h", "kph": "km/h", "km/hr": "km/h",
     "mps": "m/s", "mi/h": "mph", "miles/h": "mph", "kn": "knot", "kt": "knot", "kts": "knot", "knots": "knot",
     "to": "t", "ton": "t", "tons": "t", "tonne": "t", "tonnes": "t", "lbs": "lb", "pound": "lb", "pounds": "lb",
     "newton": "n", "kilonewton": "kn", "unitless": "", "-": "",
@@ -56,12 +63,25 @@ SPELLINGS = {
     "nanoseconds": "ns", "\u00b5s": "us", "\u03bcs": "us",
 }
 
+# Units of what no drive has.
+OTHER_UNITS = frozenset((
+    "pa", "kpa", "kpag", "hpa", "mpa", "bar", "mbar", "millibar", "psi", "kilopascal", "mmhg",
+    "rpm", "1/min", "u/min", "r/min", "min-1", "minutinver", "rev/min", "hz", "hertz",
+    "%", "percent", "prozent", "c", "f", "k", "degc", "degf", "degk", "celsius", "degrec", "degrecelsi", "gradc",
+    "a", "ma", "amp", "amps", "amper", "ampere", "ah", "ohm", "w", "kw", "watt", "watts", "kwh", "wh",
+    "nm", "newtonmeter", "newtometer", "nm/s", "deg/s2", "rad/s2", "m/s3", "1/m", "1/meter", "m/m",
+    "km", "kilometer", "mile", "miles", "yd/s", "l", "ml", "ul", "liter", "liters", "litre", "l/h", "l/100km",
+    "min", "minute", "minutes", "minut", "h", "hr", "hour", "hours", "day", "days", "month", "year", "years",
+    "db", "dbm", "dbsm", "lux", "yes/no", "pulse", "pulses", "pulsecount", "impulse", "bit", "bits"))
+
 
 def plain(unit):
     """A unit's spelling without what differs from file to file: case, blanks, brackets, signs of degree and power."""
-    text = re.sub(r"[\s\[\](){}_^*\u00b7]", "", (unit or "").strip().lower())
-    text = text.replace("\u00b0", "deg").replace("\u00b2", "2").replace("degrees", "deg").replace("degree", "deg")
-    text = re.sub(r"/(sec|second|seconds)(?=2?$)", "/s", text)
+    text = (unit or "").strip().lower().removeprefix("unit_")
+    text = re.sub(r"[\s\[\](){}_^*\u00b7]", "", text)
+    text = re.sub("[\u00b0\u00ba\u02da]", "deg", text).replace("\u00b2", "2").replace("degrees", "deg").replace("degree", "deg")
+    text = re.sub(r"^grad(?=$|[/.])|^winkelgrad$", "deg", text)
+    text = re.sub(r"(?:/|per|pro)(sec|second|seconds|sek|sekunde)\.?(?=2?$)", "/s", text)
     return text.replace("/sec2", "/s2").replace("s-1", "/s").replace("s-2", "/s2").replace("//", "/")
 
 
@@ -77,6 +97,11 @@ def factor_of(unit, dimension):
 def is_known(unit):
     """Whether it is a unit of any dimension."""
     return any(factor_of(unit, dimension) is not None for dimension in UNITS)
+
+
+def is_other(unit):
+    """Whether it is a unit of nothing that a drive has."""
+    return plain(unit) in OTHER_UNITS
 
 
 def admitted(dimension):

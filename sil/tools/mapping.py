@@ -12,10 +12,17 @@ from drive_quantities import QUANTITIES, admitted, factor_of
 from log_error import LogError
 
 # The quantity in the unit of its column is sign * unit_factor * (factor * number + offset), lag_s earlier than
-# recorded. `unit` is None where the log's own is meant. `bus` is None where any will do.
-Entry = collections.namedtuple("Entry", "quantity signal unit factor offset sign lag_s bus")
+# recorded. `unit` is None where the log's own is meant. `bus` is None where any will do. The number is the signal's; less that
+# of the signal `minus`, `distance_m` apart; negative where the signal `sign_signal` is 1. `range` is what the number is in
+# where it is known, IGNORED where any is, None where it is as the log says.
+Entry = collections.namedtuple("Entry", "quantity signal unit factor offset sign lag_s bus sign_signal minus distance_m range",
+                               defaults=(None, None, None, None))
 
-KEYS = ("signal", "unit", "factor", "offset", "sign", "lag_ms", "bus")
+KEYS = ("signal", "unit", "factor", "offset", "sign", "lag_ms", "bus", "minus", "distance_m", "range")
+IGNORED = "ignore"
+ROLES = {"signal": "signal", "sign": "sign_signal", "minus": "minus"}  # keys that name signals: fields of the entry
+# A difference over a distance is a slope: of lengths an angle, of speeds a rate.
+SLOPES = {"angle": "length", "rate": "speed"}
 OPEN = "?"  # a draft's entry for an unknown value
 LARGEST_LAG_MS = 1000.0
 
@@ -87,7 +94,8 @@ class Mapping:
 
     def _entry(self, name, table):
         self._check_keys(name, table, KEYS)
-        dimension = QUANTITIES[name].dimension
+        minus, distance_m = self._difference(name, table)
+        dimension = dimension_of(name, minus)
         unit = self._text(name, table, "unit", "") or None
         if unit is not None and factor_of(unit, dimension) is None:
             self.fail(name, "unit", f"is '{unit}', but must be one of {admitted(dimension)}; for any other give factor, which "
@@ -97,9 +105,7 @@ class Mapping:
             self.fail(name, "factor", "is 0: that leaves nothing of the signal")
         if factor < 0.0:
             self.fail(name, "factor", "is negative; give it positive, and sign = -1")
-        sign = table.get("sign", 1)
-        if isinstance(sign, bool) or sign not in (1, -1):
-            self.fail(name, "sign", "must be 1 (as in docs/drives.md: a left turn is positive) or -1 (the other way round)")
+        sign, sign_signal = self._sign(name, table)
         lag_ms = self._number(name, table, "lag_ms", 0.0)
         if not 0.0 <= lag_ms <= LARGEST_LAG_MS:
             self.fail(name, "lag_ms", f"is {lag_ms:g}, but must be from 0 to {LARGEST_LAG_MS:g}: so long before its time in the "
@@ -108,7 +114,39 @@ class Mapping:
         if bus is not None and (isinstance(bus, bool) or not isinstance(bus, (int, str))):
             self.fail(name, "bus", "must be the bus's number, from 1, or a candump log's interface in quotation marks")
         return Entry(name, self._text(name, table, "signal", None), unit, factor, self._number(name, table, "offset", 0.0),
-                     int(sign), lag_ms / 1000.0, bus)
+                     sign, lag_ms / 1000.0, bus, sign_signal, minus, distance_m, self._range(name, table))
+
+    def _difference(self, name, table):
+        minus = self._text(name, table, "minus", "") or None
+        if (minus is None) != ("distance_m" not in table):
+            self.fail(name, "distance_m" if minus is None else "minus", "needs the other one: minus is the signal to subtract, "
+                                                                        "distance_m how far they are apart")
+        if minus is not None and QUANTITIES[name].dimension not in SLOPES:
+            self.fail(name, "minus", f"makes an angle of two heights or a rate of two speeds, and {name} is neither")
+        distance_m = self._number(name, table, "distance_m", 1.0)
+        if distance_m <= 0.0:
+            self.fail(name, "distance_m", f"is {distance_m:g}, but must be more than 0")
+        return minus, distance_m if minus is not None else None
+
+    def _sign(self, name, table):
+        """1 or -1, and the signal that has the sign, if it comes beside a magnitude."""
+        sign = table.get("sign", 1)
+        if isinstance(sign, str) and sign.strip("- "):
+            return -1 if sign.startswith("-") else 1, sign.lstrip("-").strip()
+        if isinstance(sign, bool) or sign not in (1, -1):
+            self.fail(name, "sign", "must be 1 (as in docs/drives.md: a left turn is positive), -1 (the other way round), or the "
+                                    "signal \"Message.Signal\" that is 1 where the number is negative (\"-Message.Signal\": where "
+                                    "it is positive)")
+        return int(sign), None
+
+    def _range(self, name, table):
+        values = table.get("range")
+        if values is None or values == IGNORED:
+            return values
+        if not isinstance(values, list) or len(values) != 2 or not all(is_number(value) for value in values) \
+                or not values[0] < values[1]:
+            self.fail(name, "range", f"must be [least, largest] of the log's numbers, or \"{IGNORED}\"")
+        return float(values[0]), float(values[1])
 
     def _text(self, name, table, key, default):
         value = table.get(key, default)
@@ -120,19 +158,34 @@ class Mapping:
 
     def _number(self, name, table, key, default):
         value = table.get(key, default)
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        if not is_number(value):
             self.fail(name, key, "must be a finite number")
         return float(value)
 
-    def unit_factor(self, entry, unit_of_log):
+    def unit_factor(self, entry, unit_of_log, role="signal"):
         """From the log's number (after factor and offset) to the drive's column."""
-        dimension = QUANTITIES[entry.quantity].dimension
+        dimension = dimension_of(entry.quantity, entry.minus)
         factor = factor_of(entry.unit if entry.unit is not None else unit_of_log, dimension)
         if factor is None:
             said = f"'{unit_of_log}'" if unit_of_log else "none"
-            self.fail(entry.quantity, "signal", f"is {entry.signal}, whose unit in the log or DBC file ({said}) does not do; add "
-                                                f"unit = one of {admitted(dimension)}")
+            self.fail(entry.quantity, role, f"is {signals_of(entry)[role]}, whose unit in the log or DBC file ({said}) does not "
+                                            f"do; add unit = one of {admitted(dimension)}")
         return factor
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def signals_of(entry):
+    """The names of an entry's signals by their roles."""
+    return {role: getattr(entry, field) for role, field in ROLES.items() if getattr(entry, field) is not None}
+
+
+def dimension_of(quantity, minus):
+    """The dimension of the log's numbers."""
+    dimension = QUANTITIES[quantity].dimension
+    return dimension if minus is None else SLOPES[dimension]
 
 
 def read_text(path):

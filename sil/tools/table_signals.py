@@ -11,8 +11,8 @@ import file_io
 from bus_logs import kind_of
 from drive_quantities import is_known
 from log_error import LogError
-from mapping import closest
-from recorded import TEXTS, Clock, Collected
+from mapping import closest, signals_of
+from recorded import Clock, Collected, combined
 
 # A column or channel, with what a signal of a DBC file also has.
 Column = collections.namedtuple("Column", "name unit minimum maximum scale is_float", defaults=("", None, None, 1.0, True))
@@ -30,9 +30,14 @@ def read(logs, mapping):
             read_csv(path, mapping, clock, collected)
         else:
             read_mf4(path, mapping, collected)
-    missing = {name: f"{one.entry.signal} has no value" + (f", only texts, such as '{one.examples[0]}'" if one.examples else "")
-               for name, one in collected.items() if not one.times_us}
-    return {name: one.recorded() for name, one in collected.items() if name not in missing}, missing
+    recorded = {entry.quantity: combined({role: collected[entry.quantity, role] for role in signals_of(entry)}, mapping)
+                for entry in mapping.entries}
+    missing = {}
+    for (quantity, _), one in collected.items():
+        if not one.times_us or quantity not in missing and not len(recorded[quantity].times_us):
+            texts = f", only texts, such as '{one.examples[0]}'" if one.examples else ""
+            missing[quantity] = f"{one.name()} has no value{texts}"
+    return {name: one for name, one in recorded.items() if name not in missing}, missing
 
 
 def is_csv(path):
@@ -59,14 +64,15 @@ def beginning_of(path):
     return beginning
 
 
-def into(collected, entry, name, unit, mapping):
-    """Key of this entry's values."""
+def into(collected, entry, role, unit, mapping):
+    """The values of this entry's signal."""
     if entry.bus is not None:
         mapping.fail(entry.quantity, "bus", "is for logs of frames; leave it out here")
-    if entry.quantity not in collected:
-        mapping.unit_factor(entry, unit)
-        collected[entry.quantity] = Collected(entry, Column(name, unit))
-    return collected[entry.quantity]
+    if (entry.quantity, role) not in collected:
+        if role != "sign":
+            mapping.unit_factor(entry, unit, role)
+        collected[entry.quantity, role] = Collected(entry, Column(signals_of(entry)[role], unit), role)
+    return collected[entry.quantity, role]
 
 
 def columns_of(path):
@@ -153,18 +159,18 @@ def read_csv(path, mapping, clock, collected):
     lines = table.lines()
     names = table.header(lines, mapping.time[0])
     repeated = [name for name, count in collections.Counter(names).items() if count > 1]
-    used = {mapping.time[0]} | {entry.signal for entry in mapping.entries}
+    wanted = [(entry, role, name) for entry in mapping.entries for role, name in signals_of(entry).items()]
+    used = {mapping.time[0]} | {name for _, _, name in wanted}
     if used.intersection(repeated):
         raise LogError(f"{path}:{table.number}: two columns are called '{sorted(used.intersection(repeated))[0]}'; rename one "
                        "of them")
-    for entry in mapping.entries:
-        if entry.signal not in names:
-            mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such column; "
-                                                   f"{closest(entry.signal, names)}")
-    read_rows(table, lines, names, mapping, clock, collected)
+    for entry, role, name in wanted:
+        if name not in names:
+            mapping.fail(entry.quantity, role, f"is '{name}', but {path} has no such column; {closest(name, names)}")
+    read_rows(table, lines, names, mapping, wanted, clock, collected)
 
 
-def read_rows(table, lines, names, mapping, clock, collected):
+def read_rows(table, lines, names, mapping, wanted, clock, collected):
     time_index, time_factor = names.index(mapping.time[0]), mapping.time[1]
     header_line, targets = table.number, None
     units = [unit_in(name) for name in names]
@@ -185,9 +191,9 @@ def read_rows(table, lines, names, mapping, clock, collected):
         if number is None:
             raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
         if targets is None:
-            places = [names.index(entry.signal) for entry in mapping.entries]
-            targets = [(index, into(collected, entry, entry.signal, units[index], mapping))
-                       for index, entry in zip(places, mapping.entries)]
+            places = [names.index(name) for _, _, name in wanted]
+            targets = [(index, into(collected, entry, role, units[index], mapping))
+                       for index, (entry, role, _) in zip(places, wanted)]
         clock.take(place, number * time_factor)
         time_us = round(number * time_factor * 1.0e6)
         for index, target in targets:
@@ -220,7 +226,8 @@ def read_mf4(path, mapping, collected):
     with opened(path) as mdf:
         start_s = mdf.header.start_time.timestamp()
         for entry in mapping.entries:
-            take_channel(mdf, path, start_s, mapping, entry, collected)
+            for role in signals_of(entry):
+                take_channel(mdf, path, start_s, mapping, entry, role, collected)
 
 
 @contextlib.contextmanager
@@ -241,18 +248,19 @@ def opened(path):
         raise LogError(f"{path}: the MF4 is damaged ({type(error).__name__}: {error}); copy or export it again") from error
 
 
-def take_channel(mdf, path, start_s, mapping, entry, collected):
-    places = mdf.channels_db.get(entry.signal)
+def take_channel(mdf, path, start_s, mapping, entry, role, collected):
+    name = signals_of(entry)[role]
+    places = mdf.channels_db.get(name)
     if not places:
-        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such channel; "
-                                               f"{closest(entry.signal, list(mdf.channels_db))}")
+        mapping.fail(entry.quantity, role, f"is '{name}', but {path} has no such channel; "
+                                           f"{closest(name, list(mdf.channels_db))}")
     if len({group for group, _ in places}) > 1:
-        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has {len(places)} channels of this name; "
-                                               "export it with names of their own")
-    signal = mdf.get(entry.signal, group=places[0][0], index=places[0][1]).validate()
+        mapping.fail(entry.quantity, role, f"is '{name}', but {path} has {len(places)} channels of this name; "
+                                           "export it with names of their own")
+    signal = mdf.get(name, group=places[0][0], index=places[0][1]).validate()
     if signal.samples.ndim != 1 or signal.samples.dtype.kind not in "fiubSUO":
-        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', whose values in {path} are no numbers")
-    target = into(collected, entry, entry.signal, signal.unit, mapping)
+        mapping.fail(entry.quantity, role, f"is '{name}', whose values in {path} are no numbers")
+    target = into(collected, entry, role, signal.unit, mapping)
     for time_s, value in zip(signal.timestamps.tolist(), signal.samples.tolist()):
         target.clock.take(path, start_s + time_s)
         if isinstance(value, (bytes, str)):

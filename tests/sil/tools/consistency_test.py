@@ -1,6 +1,8 @@
 """Comparison of signals, over every manoeuvre of the catalogue: no good drive is doubted, no sign is answered
 wrongly, and wrong signs and units show."""
 
+import itertools
+
 import numpy
 
 import support
@@ -11,7 +13,8 @@ import foreign_recorder
 
 UNITS = {"lateral_acceleration": "mps2", "roll_rate": "degps", "roll_angle": "deg", "yaw_rate": "degps",
          "steering_wheel_angle": "deg", "speed": "mps", "vertical_acceleration": "mps2"}
-TURNING = ("slalom", "j-turn-45", "double-lane-change", "step-steer")
+MIRRORED = (*draft.SIGNED, "roll_rate")
+TURNING = ("slalom", "j-turn-45", "double-lane-change", "step-steer", "slowly-increasing-steer", "slow-ramp")
 
 
 class Consistency(support.WithRun):
@@ -47,30 +50,62 @@ class Consistency(support.WithRun):
                 self.assertFalse(is_doubtful, (manoeuvre, absent, lines))
 
     def test_no_sign_is_answered_wrongly(self):
+        """Also not of a drive to one side only, to the left or, in a mirror, to the right."""
         answers = {}
         for manoeuvre, (times_us, columns) in self.runs.items():
-            for absent in (None, "roll_angle", "yaw_rate"):
-                known = {name: values for name, values in columns.items() if name != absent}
+            for absent, side in itertools.product((None, "roll_angle", "yaw_rate"), (1.0, -1.0)):
+                known = {name: side * values if name in MIRRORED else values for name, values in columns.items() if name != absent}
                 evidence = self.evidence(times_us, known)
-                for name in (*draft.SIGNED, "roll_rate"):
+                if evidence.turn_s is None or (manoeuvre, absent) == ("banked-straight", "yaw_rate"):
+                    continue  # without a yaw rate a bank is as a turn
+                turn = side * columns["yaw_rate"][round(evidence.turn_s / 0.01)]
+                self.assertEqual(evidence.turn > 0.0, turn > 0.0, (manoeuvre, absent, side))
+                self.assertGreater(abs(turn), 2.0, (manoeuvre, absent, side))
+                for name in MIRRORED:
                     sign = evidence.sign_if_left(name)
                     if sign is not None:
-                        self.assertEqual(sign, 1 if evidence.turn > 0.0 else -1, (manoeuvre, absent, name))
+                        self.assertEqual(sign, 1 if turn > 0.0 else -1, (manoeuvre, absent, name))
                         answers.setdefault(manoeuvre, set()).add(name)
         self.assertNotIn("straight", answers)
         for manoeuvre in TURNING:
-            self.assertEqual(answers[manoeuvre], {*draft.SIGNED, "roll_rate"}, manoeuvre)
+            self.assertEqual(answers[manoeuvre], set(MIRRORED), manoeuvre)
 
-    def test_a_wrong_sign_is_doubted_and_answered_the_other_way_round(self):
-        for manoeuvre in TURNING:
+    def test_a_wrong_sign_is_doubted_named_and_answered_the_other_way_round(self):
+        for manoeuvre, side in itertools.product(TURNING, (1.0, -1.0)):
             times_us, columns = self.runs[manoeuvre]
-            for name in (*draft.SIGNED, "roll_rate"):
+            columns = {name: side * values if name in MIRRORED else values for name, values in columns.items()}
+            for name in MIRRORED:
                 wrong = {**columns, name: -columns[name]}
                 lines, is_doubtful = consistency.reported(times_us, wrong)
                 self.assertTrue(is_doubtful, (manoeuvre, name, lines))
+                self.assertIn(f"LOOK: {name} runs against the others: probably that sign is wrong", lines, (manoeuvre, side))
                 evidence = self.evidence(times_us, wrong)
                 other = "lateral_acceleration" if name != "lateral_acceleration" else "roll_angle"
                 self.assertEqual(evidence.sign_if_left(name), -evidence.sign_if_left(other), (manoeuvre, name))
+
+    def test_neither_of_two_signals_is_named(self):
+        times_us, columns = self.runs["slalom"]
+        two = {name: columns[name] for name in ("lateral_acceleration", "speed")}
+        two.update(yaw_rate=-columns["yaw_rate"], roll_rate=0.0 * columns["roll_rate"])
+        lines, is_doubtful = consistency.reported(times_us, two)
+        self.assertTrue(is_doubtful)
+        self.assertFalse([line for line in lines if "against the others" in line], lines)
+
+    def test_a_turn_is_known_from_the_value_of_no_turn(self):
+        """In a unit that is not known that is the beginning's; of a vehicle that has stood, that at rest."""
+        times_us, columns = self.runs["slowly-increasing-steer"]
+        raw = {**columns, "yaw_rate": 32768.0 - 100.0 * columns["yaw_rate"]}
+        evidence = draft.Evidence(None, {}, None)
+        evidence.look(times_us, raw, {"yaw_rate"})
+        self.assertLess(evidence.turn, 0.0)
+        self.assertEqual(evidence.sign_if_left("yaw_rate"), -evidence.sign_if_left("roll_angle"))
+        stood = numpy.zeros(300)
+        from_rest = {name: numpy.concatenate([stood, values]) for name, values in columns.items()}
+        from_rest["yaw_rate"] = from_rest["yaw_rate"] - 40.0
+        evidence = self.evidence(numpy.arange(len(times_us) + 300) * consistency.STEP_US, from_rest)
+        self.assertGreater(evidence.turn, 0.0)
+        still = {**columns, "yaw_rate": 0.0 * columns["yaw_rate"]}
+        self.assertEqual(self.evidence(times_us, still).anchor, "lateral_acceleration")
 
     def test_a_wrong_unit_is_doubted(self):
         times_us, columns = self.runs["slalom"]

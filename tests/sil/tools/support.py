@@ -15,8 +15,17 @@ sys.path[:0] = [str(PROJECT / "sil/tools"), str(PROJECT / "cmake/environment")]
 import command
 
 
-class WithRun(unittest.TestCase):
-    """One run for all tests of a class, in self.run_folder; a folder of its own for each test, in self.folder."""
+class WithFolder(unittest.TestCase):
+    """A folder of its own for each test, in self.folder."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+
+class WithRun(WithFolder):
+    """One run for all tests of a class, in self.run_folder."""
 
     program = None
 
@@ -31,11 +40,6 @@ class WithRun(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.shared.cleanup()
-
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
 
     def replay(self, file):
         """Answers of `rsi-sil replay` to a drive: the lines of warnings.csv."""
