@@ -1,4 +1,5 @@
-// Makes the FPU flush subnormal numbers to zero, operands and results, where it can; elsewhere nothing changes.
+// Makes the FPU flush subnormal numbers to zero, operands and results, where it can; elsewhere nothing
+// changes.
 #pragma once
 
 #include <cstdint>
