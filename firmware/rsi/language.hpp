@@ -1,4 +1,4 @@
-// The C++ headers and sources are C++17: an older standard is refused in one sentence. A caller of rsi.h may have any.
+// The C++ headers and sources are C++17, and an older one is refused. Callers of rsi.h may have any.
 #pragma once
 
 #if __cplusplus < 201703L

@@ -15,10 +15,10 @@ std::string drawing_script(const std::string& name) {
             return (folder / name).string();
         }
     }
-    throw std::runtime_error(
-        fmt::format("there is no {} in the folders above {}; start the program from the project's build folder or from "
-                    "the whole unpacked release, or give --no-pictures",
-                    name, program.string()));
+    throw std::runtime_error(fmt::format(
+        "there is no {} in the folders above {}; start the program from the project's build folder or from "
+        "the whole unpacked release, or give --no-pictures",
+        name, program.string()));
 }
 
 }  // namespace sil
