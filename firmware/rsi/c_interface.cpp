@@ -70,3 +70,11 @@ extern "C" int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_l
                                            int32_t doubted) {
     return object_in(component).restore_load(*learnt, doubted != 0) ? 1 : 0;
 }
+
+extern "C" int32_t rsi_is_optimised() {
+#ifdef __OPTIMIZE__
+    return 1;
+#else
+    return 0;
+#endif
+}

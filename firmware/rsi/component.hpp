@@ -1,6 +1,8 @@
 // Rollover-warning component: the C++ interface. rsi.h documents parameters, inputs and outputs.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include "rsi/adaptation/load_adaptation.hpp"
 #include "rsi/derived.hpp"
 #include "rsi/estimation/roll_centre_estimator.hpp"

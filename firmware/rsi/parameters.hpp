@@ -1,6 +1,8 @@
 // The calibration's fields by name, and its validation.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include <array>
 #include <cstdint>
 

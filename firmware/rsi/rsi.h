@@ -351,6 +351,10 @@ rsi_learnt_load rsi_get_learnt_load(const rsi_component* component);
  * 1; or 0, and without an effect, where it cannot have been learnt or the parameters were refused. */
 int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt, int32_t doubted);
 
+/* Whether the library was compiled with an optimiser (-O1, -O2, -O3, -Os): 1 or 0. Without one its answers
+ * have the same bits, but a step takes many times the instructions, and more stack. */
+int32_t rsi_is_optimised(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,8 @@
 // The C interface's plain structures under their C++ names.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include "rsi/rsi.h"
 
 namespace rsi {

@@ -185,12 +185,12 @@ int rsi_selftest(rsi_component* component) {
     if (!rounds_to_nearest()) {
         return RSI_SELFTEST_ROUNDING;
     }
-    if (!keeps_subnormals()) {
-        return RSI_SELFTEST_FLUSH_TO_ZERO;
-    }
     digest = rsi_selftest_digest(component, &result);
     if (result != RSI_SELFTEST_PASSED) {
         return result;
     }
-    return (digest == RSI_SELFTEST_EXPECTED_DIGEST) ? RSI_SELFTEST_PASSED : RSI_SELFTEST_DIGEST;
+    if (digest == RSI_SELFTEST_EXPECTED_DIGEST) {
+        return keeps_subnormals() ? RSI_SELFTEST_PASSED : RSI_SELFTEST_FLUSHED_SAME_BITS;
+    }
+    return keeps_subnormals() ? RSI_SELFTEST_DIGEST : RSI_SELFTEST_FLUSH_TO_ZERO;
 }

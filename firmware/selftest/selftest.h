@@ -13,7 +13,8 @@
 extern "C" {
 #endif
 
-/* Results of rsi_selftest: the first fault found. */
+/* Results of rsi_selftest: the first fault found. A library without an optimiser is none, but slow:
+ * rsi_is_optimised in rsi.h. */
 typedef enum {
     RSI_SELFTEST_PASSED = 0,
     /* isnan() or a comparison with NaN is wrong: compile this file, and whatever calls rsi_step, without
@@ -21,8 +22,8 @@ typedef enum {
     RSI_SELFTEST_NAN = 1,
     /* The FPU does not round to nearest: set the rounding mode (Arm: FPSCR.RMode 0) before the first call. */
     RSI_SELFTEST_ROUNDING = 2,
-    /* The FPU flushes subnormal numbers to zero: switch that off (Arm: FPSCR.FZ 0; x86: do not link with
-       -ffast-math). */
+    /* The FPU flushes subnormal numbers to zero, and the outputs differ: switch that off (Arm: FPSCR.FZ 0;
+       x86: do not link with -ffast-math). If they still differ, see RSI_SELFTEST_DIGEST. */
     RSI_SELFTEST_FLUSH_TO_ZERO = 3,
     /* rsi_init refused the calibration large_suv: the header rsi.h and the library are of different
        revisions. */
@@ -33,7 +34,11 @@ typedef enum {
     /* The outputs differ in at least one bit from those of a correct build: compile the library with
      * -ffp-contract=off and without flags that let the compiler reorder or approximate arithmetic. Or header
      * and library are of different revisions. */
-    RSI_SELFTEST_DIGEST = 6
+    RSI_SELFTEST_DIGEST = 6,
+    /* The FPU flushes subnormal numbers to zero, and yet every bit of the outputs is right. Not a fault where
+     * an FPU knows nothing else (TriCore TC3xx, RH850): take it there for RSI_SELFTEST_PASSED. Elsewhere
+     * switch it off all the same, as under RSI_SELFTEST_FLUSH_TO_ZERO. */
+    RSI_SELFTEST_FLUSHED_SAME_BITS = 7
 } rsi_selftest_result;
 
 /* Steps `component`, which may be any storage, through a drive of ten seconds; call rsi_init afterwards.

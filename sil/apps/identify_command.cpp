@@ -6,10 +6,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/drawing_script.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/file_io.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
@@ -81,19 +83,27 @@ std::vector<Drive> read_all(const std::vector<std::string>& files) {
     return drives;
 }
 
-void draw(const std::filesystem::path& output) {
-    std::string script = RSI_IDENTIFICATION_DRAW_SCRIPT;
+bool is_drawn(std::string script, const std::filesystem::path& output) {
     std::string folder = std::filesystem::absolute(output).string();
     char* arguments[] = {script.data(), folder.data(), nullptr};
     pid_t child = 0;
     int status = 1;
-    const bool drawn = posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ) == 0 &&
-                       waitpid(child, &status, 0) == child && status == 0;
-    if (!drawn) {
-        tell(
-            fmt::format("rsi-sil: no pictures were drawn; the calibration does not need them. Later: "
-                        "sil/studies/identification/draw {}\n",
-                        output.string()));
+    return posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ) == 0 &&
+           waitpid(child, &status, 0) == child && status == 0;
+}
+
+// Without pictures the calibration is as good.
+void draw(const std::filesystem::path& output) {
+    const std::string name = "sil/studies/identification/draw";
+    try {
+        if (!is_drawn(drawing_script(name), output)) {
+            tell(fmt::format(
+                "rsi-sil: no pictures were drawn; the calibration does not need them. Later: {} {}\n", name,
+                output.string()));
+        }
+    } catch (const std::runtime_error& error) {
+        tell(fmt::format("rsi-sil: no pictures were drawn; the calibration does not need them: {}\n",
+                         error.what()));
     }
 }
 

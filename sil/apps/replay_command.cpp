@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/drawing_script.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
 #include "sil/files/file_io.hpp"
@@ -67,7 +68,7 @@ DriveReplay replay_log(const std::vector<LoggedFrame>& log, const std::filesyste
 
 // gnuplot belongs to the project's packages, so its absence is an error like any other.
 void draw(const std::filesystem::path& folder) {
-    std::string script = RSI_REPLAY_DRAW_SCRIPT;
+    std::string script = drawing_script("sil/studies/drives/draw");
     std::string argument = folder.string();
     char* arguments[] = {script.data(), argument.data(), nullptr};
     pid_t process = 0;

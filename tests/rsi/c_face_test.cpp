@@ -34,6 +34,10 @@ TEST(CFace, GivesTheBitsOfTheCppFace) {
     }
 }
 
+TEST(CFace, KnowsWhetherAnOptimiserMadeTheLibrary) {
+    EXPECT_EQ(rsi_is_optimised(), RSI_LIBRARY_IS_OPTIMISED);
+}
+
 TEST(CFace, NamesTheRefusedFieldAndStaysSafeToStep) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.forgetting_factor = 1.5F;

@@ -7,6 +7,8 @@
 //
 // With RSI_WITH_ACCESSES (replay_with_accesses, for the budgets) XCP and diagnosis are linked and not
 // connected. The ECU then starts with the section that is linked, that of large_suv; PARAMETERS is only read.
+//
+// With RSI_FLUSH_TO_ZERO (replay_frames_flushing) the FPU flushes subnormal numbers to zero.
 #include <cstring>
 
 #include "hal/memory/frame_replay.hpp"
@@ -18,6 +20,9 @@
 #include "tests/targets/support/program.hpp"
 #include "tests/targets/support/text_file.hpp"
 
+#ifdef RSI_FLUSH_TO_ZERO
+#include "tests/targets/support/flush_to_zero.hpp"
+#endif
 #ifdef RSI_WITH_ACCESSES
 #include "tests/targets/budgets/target/ecu_with_accesses.hpp"
 #endif
@@ -148,6 +153,9 @@ int target::run(int argc, const char* const* argv) {
     if (argc != 4) {
         return refuse("want PARAMETERS SENSORS ECU", "\n");
     }
+#ifdef RSI_FLUSH_TO_ZERO
+    flush_to_zero();
+#endif
     static rsi::Parameters parameters;
     static Recording recording;
     const Handle parameter_file = open_to_read(argv[1]);

@@ -42,6 +42,9 @@ int main(void) {
         fprintf(stderr, "this build does not compute as it should: %d, see selftest/selftest.h\n", selftest);
         return 1;
     }
+    if (!rsi_is_optimised()) {
+        fprintf(stderr, "the component was compiled without an optimiser: it is right, but slow\n");
+    }
     if (!answer.accepted) {
         fprintf(stderr, "the component refuses %s: it %s\n", answer.field, answer.reason);
         return 1;

@@ -8,6 +8,8 @@
 // Eigen.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #ifndef EIGEN_MPL2_ONLY
 #define EIGEN_MPL2_ONLY
 #endif

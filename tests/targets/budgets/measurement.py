@@ -282,5 +282,5 @@ class Measurement:
         )
         if difference:
             self.findings.append(
-                f"librsi.a of {self.target} is not what firmware/export gives with the flags of rsi.mk and -O2: {difference}"
+                f"librsi.a of {self.target} is not what firmware/export gives with the flags of rsi.mk: {difference}"
             )

@@ -14,5 +14,8 @@ int main(int argc, char** argv) {
         printf("#define RSI_SELFTEST_EXPECTED_DIGEST 0x%08lXU\n", digest);
         return result;
     }
+    if (!rsi_is_optimised()) {
+        printf("the library was compiled without an optimiser\n");
+    }
     return rsi_selftest(&component);
 }

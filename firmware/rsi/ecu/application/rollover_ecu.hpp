@@ -1,6 +1,8 @@
 // Rollover ECU: the application that a platform's main loop calls every 10 ms. Frames in, step, frames out.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include <cstddef>
 #include <cstdint>
 

@@ -1,6 +1,8 @@
 // Sensor reception: from frames on the bus to the component's inputs.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include <array>
 #include <cstdint>
 

@@ -1,6 +1,8 @@
 // Warning transmission: from the component's outputs to protected frames on the bus.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include "rsi/can_dbc/e2e/profile_11.hpp"
 #include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "rsi/ecu/application/parameter_section.hpp"

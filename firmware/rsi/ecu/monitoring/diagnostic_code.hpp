@@ -1,6 +1,8 @@
 // Diagnostic codes: faults that the monitoring detects, and their debouncing.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include <cstddef>
 #include <cstdint>
 

@@ -1,6 +1,8 @@
 // Packet: one command, answer, event or sample of XCP on CAN, as many bytes as a classic frame has.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

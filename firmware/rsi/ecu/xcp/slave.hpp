@@ -1,6 +1,8 @@
 // XCP slave: answers one command a cycle, and sends what is measured. By ASAM MCD-1 XCP 1.1, on classic CAN.
 #pragma once
 
+#include "rsi/language.hpp"
+
 #include <cstdint>
 
 #include "rsi/ecu/access/seed_and_key.hpp"

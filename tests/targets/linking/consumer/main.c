@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "rsi/rsi.h"
+#include "selftest/selftest.h"
 #include "tests/support/large_suv.h"
 
 int main(void) {
@@ -12,6 +13,11 @@ int main(void) {
     rsi_outputs outputs = {0};
     int k;
 
+    if (rsi_selftest(&component) != RSI_SELFTEST_PASSED) {
+        fprintf(stderr, "the self-test fails\n");
+        return 1;
+    }
+    (void)rsi_init(&component, &parameters);
     if (!answer.accepted) {
         fprintf(stderr, "%s %s\n", answer.field, answer.reason);
         return 1;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace sil {
+
+// The path of a script of the project that draws, by its name in the project: looked for in the folders above
+// this program, which lies in a build folder (build/release/sil) or in a release (programs). Throws
+// std::runtime_error when there is none.
+std::string drawing_script(const std::string& name);
+
+}  // namespace sil
