@@ -10,6 +10,7 @@ import progress
 import file_io
 from bus_logs import kind_of
 from drive_quantities import is_known
+from left_out import LeftOut
 from log_error import LogError
 from mapping import closest
 from recorded import TEXTS, Clock, Collected
@@ -91,6 +92,7 @@ class Csv:
     def __init__(self, path):
         self.path = pathlib.Path(path)
         self.size = self.path.stat().st_size
+        self.left_out = LeftOut()
         self.number = 0
         self.is_ended = True
         self._file = None

@@ -1,0 +1,97 @@
+"""The frames of an MF4 with a recorded CAN bus."""
+
+import heapq
+import logging
+
+from can.util import dlc2len
+
+from bounded import bounded
+from bus_frame import LARGEST_EXTENDED, Frame, checked
+from log_error import LogError
+
+logging.getLogger("asammdf").setLevel(logging.CRITICAL)  # what it cannot read is counted here
+RECORDS = 20_000  # taken at a time
+NEEDED = {"ID", "DataBytes"}
+
+
+def frames(log):
+    import asammdf  # takes a second, and others do not need it
+
+    try:
+        with bounded(log.size):
+            mdf = asammdf.MDF(log.path, raise_on_multiple_occurrences=False)
+    except (Exception, RecursionError) as error:  # the library raises anything on a damaged file
+        raise LogError(f"{log.path}: the MF4 is damaged ({type(error).__name__}: {error}); copy or export it again") from error
+    with mdf:
+        groups = []
+        for index, group in enumerate(mdf.groups):
+            names = {channel.name for channel in group.channels}
+            if "CAN_DataFrame" in names and group.channel_group.cycles_nr:
+                groups.append(Group(log, mdf, index))
+            for kind in ("Error", "Remote"):
+                if f"CAN_{kind}Frame" in names:
+                    log.left_out.kinds[f"{kind.lower()} frames"] += group.channel_group.cycles_nr
+        if not groups:
+            raise LogError(f"{log.path}: the MF4 has no frames of a CAN bus (CAN_DataFrame); it holds decoded signals "
+                           "(`sil/tools/logs drive` takes it without --dbc), or nothing")
+        wanted = sum(group.count for group in groups)
+        log.position = lambda: log.size * sum(group.taken for group in groups) // wanted
+        log.place = lambda: f"frame {sum(group.taken for group in groups)}"
+        yield from heapq.merge(*(group.frames() for group in groups), key=lambda frame: frame.time_s)
+
+
+class Group:
+    """Records of one clock."""
+
+    def __init__(self, log, mdf, index):
+        self._log, self._mdf, self._index = log, mdf, index
+        self.count = mdf.groups[index].channel_group.cycles_nr
+        self.taken = 0
+
+    def frames(self):
+        while self.taken < self.count:
+            wanted = min(RECORDS, self.count - self.taken)
+            try:
+                with bounded(self._log.size):
+                    part = self._mdf.get("CAN_DataFrame", group=self._index, record_offset=self.taken, record_count=wanted,
+                                         ignore_invalidation_bits=True)
+                rows = list(self._rows(part))
+            except Exception as error:  # as above
+                return self._end(f"{type(error).__name__}: {error}")
+            yield from rows
+            self.taken += len(part.timestamps)
+            if len(part.timestamps) < wanted:
+                return self._end("the file was cut off")
+        return None
+
+    def _end(self, reason):
+        self._log.left_out.damage(f"frame {self.taken} of {self.count} in group {self._index}", reason)
+
+    def _rows(self, part):
+        column = {name.rpartition(".")[2]: part.samples[name] for name in part.samples.dtype.names or ()}
+        if not NEEDED <= set(column):
+            raise ValueError(f"CAN_DataFrame lacks {' and '.join(sorted(NEEDED - set(column)))}")
+        start_s = self._mdf.header.start_time.timestamp()
+        count = len(part.timestamps)
+        flags = [column[name].tolist() if name in column else [0] * count
+                 for name in ("BusChannel", "ID", "IDE", "EDL", "BRS", "ESI", "RTR")]
+        lengths = self._lengths(column, count)
+        is_invalid = [False] * count if part.invalidation_bits is None else part.invalidation_bits.tolist()
+        for number, (time_s, bus, identifier, extended, flexible, switch, error_state, remote) in enumerate(
+                zip(part.timestamps.tolist(), *flags)):
+            if is_invalid[number] or remote:
+                self._log.left_out.kinds["frames marked as invalid" if is_invalid[number] else "remote frames"] += 1
+                continue
+            data = column["DataBytes"][number][:lengths[number]].tobytes()
+            try:
+                yield checked(Frame(time_s + start_s, bus, identifier & LARGEST_EXTENDED,
+                                    bool(extended or identifier & 0x80000000), data, bool(flexible), bool(switch),
+                                    bool(error_state)))
+            except ValueError as error:
+                self._log.left_out.damage(f"frame {self.taken + number} of group {self._index}", error)
+
+    @staticmethod
+    def _lengths(column, count):
+        if "DataLength" in column:
+            return column["DataLength"].tolist()
+        return [dlc2len(code) for code in column["DLC"].tolist()] if "DLC" in column else [64] * count
