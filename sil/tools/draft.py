@@ -43,9 +43,12 @@ def make(dbc, log, output):
     evidence = Evidence(source, choices, log)
     blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
     text = "\n".join(blocks)
+    known = sum(bool(choice.found) for choice in choices.values())
+    if not known:
+        raise LogError(f"{dbc or log}: none of its {len(source.signals)} signals has the name of a quantity of a drive; write the "
+                       "mapping yourself (docs/can.md), or take another file")
     file_io.write(output, text)
     questions = text.count('= "?"')
-    known = sum(bool(choice.found) for choice in choices.values())
     print(f"{output}: {known} of {len(choices)} quantities drafted, {questions} questions (\"?\") to answer")
 
 
@@ -100,7 +103,7 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
-        times = [signal for signal in self.signals if re.match(r"(t|time\w*)( |$)", signal_names.words(signal.name))]
+        times = [signal for signal in self.signals if re.match(r"(t|time\w*|zeit\w*|interval)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
