@@ -48,10 +48,15 @@ def python_can(log):
 
 def table(log):
     with log.path.open("rb") as file:
-        lines = (line for line in lines_of(log, file) if line.strip() and not is_comment(line))
-        separator, places, names = header_of(next(lines))
+        lines = (line for line in lines_of(log, file) if line.strip())
+        separator, places, names = header_of(next(line for line in lines if not is_comment(line)))
         row = Row(places, names)
+        if any(re.fullmatch(r"\d+(\.\d*)?", name) for name in names):
+            log.left_out.damage(log.place(), "a row follows the names in their line")
         for line in lines:
+            if is_comment(line):
+                log.left_out.kinds["remarks"] += 1
+                continue
             try:
                 kind, frame = row.read(next(csv.reader([line], delimiter=separator)))
                 if kind:

@@ -1,11 +1,12 @@
 """The frames of an MF4 with a recorded CAN bus."""
 
 import heapq
+import itertools
 import logging
 
 from can.util import dlc2len
 
-from bounded import bounded
+import apart
 from bus_frame import LARGEST_EXTENDED, Frame, checked
 from log_error import LogError
 
@@ -15,14 +16,23 @@ NEEDED = {"ID", "DataBytes"}
 
 
 def frames(log):
+    taken = 0
+    log.position = lambda: taken
+    log.place = lambda: f"byte {taken} or so"
+    try:
+        for taken, rows, log.left_out in apart.items(log.size, lambda: parts(log)):
+            yield from map(Frame._make, rows)
+    except apart.Ended as error:
+        if taken == 0:
+            raise LogError(f"{log.path}: the MF4 is damaged ({error}); copy or export it again") from error
+        log.left_out.damage(log.place(), error)
+
+
+def parts(log):
+    """The frames part by part: how far it has come in bytes, the frames, and what was left out until then."""
     import asammdf  # takes a second, and others do not need it
 
-    try:
-        with bounded(log.size):
-            mdf = asammdf.MDF(log.path, raise_on_multiple_occurrences=False)
-    except (Exception, RecursionError) as error:  # the library raises anything on a damaged file
-        raise LogError(f"{log.path}: the MF4 is damaged ({type(error).__name__}: {error}); copy or export it again") from error
-    with mdf:
+    with asammdf.MDF(log.path, raise_on_multiple_occurrences=False) as mdf:
         groups = []
         for index, group in enumerate(mdf.groups):
             names = {channel.name for channel in group.channels}
@@ -35,9 +45,12 @@ def frames(log):
             raise LogError(f"{log.path}: the MF4 has no frames of a CAN bus (CAN_DataFrame); it holds decoded signals "
                            "(`sil/tools/logs drive` takes it without --dbc), or nothing")
         wanted = sum(group.count for group in groups)
-        log.position = lambda: log.size * sum(group.taken for group in groups) // wanted
-        log.place = lambda: f"frame {sum(group.taken for group in groups)}"
-        yield from heapq.merge(*(group.frames() for group in groups), key=lambda frame: frame.time_s)
+        merged = heapq.merge(*(group.frames() for group in groups), key=lambda frame: frame.time_s)
+        is_end = False
+        while not is_end:
+            rows = [tuple(frame) for frame in itertools.islice(merged, RECORDS)]
+            is_end = len(rows) < RECORDS
+            yield max(log.size * sum(group.taken for group in groups) // wanted, 1), rows, log.left_out
 
 
 class Group:
@@ -52,17 +65,17 @@ class Group:
         while self.taken < self.count:
             wanted = min(RECORDS, self.count - self.taken)
             try:
-                with bounded(self._log.size):
-                    part = self._mdf.get("CAN_DataFrame", group=self._index, record_offset=self.taken, record_count=wanted,
-                                         ignore_invalidation_bits=True)
+                part = self._mdf.get("CAN_DataFrame", group=self._index, record_offset=self.taken, record_count=wanted,
+                                     ignore_invalidation_bits=True)
                 rows = list(self._rows(part))
-            except Exception as error:  # as above
-                return self._end(f"{type(error).__name__}: {error}")
+            except Exception as error:  # the library raises anything on a damaged file
+                self._end(f"{type(error).__name__}: {error}")
+                return
             yield from rows
             self.taken += len(part.timestamps)
             if len(part.timestamps) < wanted:
-                return self._end("the file was cut off")
-        return None
+                self._end("the file was cut off")
+                return
 
     def _end(self, reason):
         self._log.left_out.damage(f"frame {self.taken} of {self.count} in group {self._index}", reason)

@@ -28,18 +28,20 @@ Outcome = collections.namedtuple("Outcome", "ended result refusal said")
 
 def cuts(content, count):
     """Beginnings of a file, from almost none to almost all of it."""
-    return {f"cut at {at}": content[:at] for at in (1 + number * (len(content) - 2) // count for number in range(1, count + 1))}
+    places = [number * len(content) // (count + 1) for number in range(1, count + 1)]
+    return {f"cut at {at}": content[:at] for at in places}
 
 
 def flips(content, count, seed):
-    """The file with some flipped bits, a few or many."""
+    """The file with one flipped bit, and with many, in turn."""
     drawn = random.Random(seed)
     damaged = {}
     for number in range(count):
         changed = bytearray(content)
-        for _ in range(1 if number % 2 == 0 else 1 + len(content) // 500):
+        bits = 1 if number % 2 == 0 else 2 + len(content) // 500
+        for _ in range(bits):
             changed[drawn.randrange(len(changed))] ^= 1 << drawn.randrange(8)
-        damaged[f"flips {number} of seed {seed}"] = bytes(changed)
+        damaged[f"{bits} flip{'s' * (bits > 1)}, number {number} of seed {seed}"] = bytes(changed)
     return damaged
 
 
@@ -108,14 +110,15 @@ class Judge:
         return read(self._path)
 
     def judge(self, what, content, is_text):
-        """It ends, and what it lost is said; a cut file gives no frame that the whole one has not."""
+        """It ends, and what it lost is said; a cut file gives no frame that the whole one has not. How many frames it gives, None
+        where it is refused."""
         outcome = self.outcome(content)
         label = f"{self._path.name} {what}"
         self._test.assertTrue(outcome.ended, f"{label}: {outcome.refusal}")
         frames, whole = outcome.result or [], self.whole.result or []
         if outcome.refusal:
             self._test.assertTrue(outcome.refusal.startswith(str(self._path)), f"{label}: {outcome.refusal}")
-            return 0
+            return None
         if what.startswith("cut"):
             self._test.assertEqual(lost(frames, whole), 0, f"{label} has frames of its own")
         is_clean = what.startswith("cut") and is_text and content.endswith(b"\n")
