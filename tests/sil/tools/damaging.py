@@ -121,7 +121,7 @@ class Judge:
             return None
         if what.startswith("cut"):
             self._test.assertEqual(lost(frames, whole), 0, f"{label} has frames of its own")
-        is_clean = what.startswith("cut") and is_text and content.endswith(b"\n")
+        is_clean = what.startswith("cut") and is_text and content.rstrip(b" \t\r").endswith(b"\n")
         if len(frames) < len(whole) and not is_clean:
             self._test.assertIn(": left out: ", outcome.said, f"{label}: {len(frames)} of {len(whole)} frames")
         return len(frames)
