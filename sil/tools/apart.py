@@ -20,8 +20,8 @@ class Ended(Exception):
 
 
 def items(size, work):
-    """What the generator `work` gives, done in another process within bounds that a sound file of `size` bytes keeps. Its
-    LogError is raised here, anything else as Ended."""
+    """Items of the generator `work`, which runs in another process within bounds that a sound file of `size` bytes keeps.
+    Its LogError is raised here, anything else as Ended."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -29,7 +29,7 @@ def items(size, work):
             os.close(reading)
             do(size, work, writing)
         finally:
-            os._exit(1)  # after its end, or an error that cannot be told; never back into this program
+            os._exit(1)  # never back into this program
     os.close(writing)
     status = None
     try:

@@ -26,7 +26,7 @@ class Objects:
         return self._cut(True)
 
     def resume(self):
-        """What is fed next may begin within an object."""
+        """The next piece may begin within an object."""
         self._is_lost = True
 
     def _cut(self, is_end):

@@ -1,4 +1,4 @@
-"""What the reading of a log left out: whole kinds of frames, and what is damaged."""
+"""Parts of a log that its reading left out: whole kinds of frames, and damaged ones."""
 
 import collections
 

@@ -10,7 +10,7 @@ import apart
 from bus_frame import LARGEST_EXTENDED, Frame, checked
 from log_error import LogError
 
-logging.getLogger("asammdf").setLevel(logging.CRITICAL)  # what it cannot read is counted here
+logging.getLogger("asammdf").setLevel(logging.CRITICAL)  # its complaints are counted here
 RECORDS = 20_000  # taken at a time
 NEEDED = {"ID", "DataBytes"}
 

@@ -6,7 +6,7 @@ import logging
 from bus_frame import Frame, checked
 from log_error import LogError
 
-logging.getLogger("can").setLevel(logging.CRITICAL)  # what it cannot read is counted here
+logging.getLogger("can").setLevel(logging.CRITICAL)  # its complaints are counted here
 
 LONGEST_LINE = 100_000
 

@@ -294,7 +294,7 @@ TEST(ReadCandumpLog, AnErrorTellsFileLineAndColumn) {
               path.string() + ":3:18: the identifier needs 3 hexadecimal digits (standard) or 8 (extended)");
 }
 
-TEST(SiftCandumpLog, WhatIsNoDataFrameCostsItsLineAndIsCounted) {
+TEST(SiftCandumpLog, AnythingButADataFrameCostsItsLineAndIsCounted) {
     const std::string good = "(0.010000) can0 120#00\n";
     const auto log = sil::sift_candump_log(good + "(0.020000) can0 20000080#0000000000000000\n" + good +
                                            "(0.020000) can0 120#R8\n(0.020000) can0 18FEF100#r\n" + good +

@@ -22,7 +22,7 @@ SECONDS, SECONDS_A_BYTE = 3.0, 2.0e-5
 BYTES, BYTES_A_BYTE = 1 << 29, 16  # memory; the libraries' own caches and pools need most of it
 FILE_BYTES, FILE_BYTES_A_BYTE = 1 << 20, 4
 
-# What came of a file: the result of a reading, or the sentence that refuses it; `ended` is False where the bounds ended it.
+# The result of a reading, or the sentence that refuses the file; `ended` is False where the bounds ended it.
 Outcome = collections.namedtuple("Outcome", "ended result refusal said")
 
 

@@ -141,7 +141,7 @@ class Asc(WithLogs):
                        for frame in FRAMES)
         self.expect("base dec timestamps absolute\n" + body, FRAMES)
 
-    def test_what_is_no_data_frame_is_counted(self):
+    def test_frames_without_data_and_events_are_counted(self):
         self.expect(ASC_HEADER + self.BODY + "   0.700000 1  ErrorFrame\n   0.710000 1  123             Rx   r\n"
                     "   0.720000 1  Statistic: D 0 R 0 XD 0 XR 0 E 0 O 0 B 0.0%\n", FRAMES,
                     "1 error frames; 1 lines of other events; 1 remote frames")
