@@ -50,9 +50,9 @@ struct ParsedCandumpLine {
 // that `candump -x` adds and the raw length code "_9" to "_F" of `candump -8` are accepted.
 ParsedCandumpLine parse_candump_line(std::string_view line);
 
-// All frames of a log that this project wrote, in the order of the file, whatever their times (candump may write two frames that
-// arrived on two processors in the wrong order). Empty lines are skipped. Throws InputError
-// "FILE:LINE:COLUMN: what is wrong", or that the file cannot be read.
+// All frames of a log that this project wrote, in the order of the file, whatever their times (candump may
+// write two frames that arrived on two processors in the wrong order). Empty lines are skipped. Throws
+// InputError "FILE:LINE:COLUMN: what is wrong", or that the file cannot be read.
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path);
 
 // The same of a text that was read from `file`.

@@ -70,6 +70,7 @@ def table(log):
 class Row:
     def __init__(self, places, names):
         self._places = places
+        self._columns = len(names)
         self._is_gvret = names[places["data"]] == "d1"  # a column each byte
         self._counts_from_0 = "bus" in names
 
@@ -102,10 +103,14 @@ class Row:
         first = self._places["data"]
         length = int(fields[self._places["length"]]) if "length" in self._places else None
         if self._is_gvret:
-            columns = fields[first:] if length is None else fields[first:first + length]
-            data = bytes(int(field, 16) for field in columns if field)
+            columns = [field for field in fields[first:] if field]
+            data = bytes(int(field, 16) for field in (columns if length is None else columns[:length]))
+            is_longer = length is not None and any(column.strip("0") for column in columns[length:])
         else:
+            is_longer = any(fields[self._columns:])
             data = bytes.fromhex(re.sub(r"0[xX]|[ .:-]", "", fields[first]))
+        if is_longer:
+            raise ValueError("another row follows in the same line")
         if length is not None and len(data) < length:
             raise ValueError(f"there are {len(data)} of {length} bytes")
         return data if length is None else data[:length]

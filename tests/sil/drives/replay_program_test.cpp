@@ -151,10 +151,12 @@ TEST_F(ReplayProgram, TellsIgnoredColumnsOnce) {
 }
 
 TEST_F(ReplayProgram, LeavesOutLinesOfALogThatAreNoFramesAndSaysSo) {
-    const std::string frames = "(0.000000) vcan0 120#0000000000000000\n(0.020000) vcan0 120#0000000000000000\n";
-    write_text(path("mixed.log"),
-               "(0.000000) vcan0 20000080#0000000000000000\n(0.000000) vcan0 121#R\n(0.000000) vcan0 120#0\n" +
-                   frames);
+    const std::string frames =
+        "(0.000000) vcan0 120#0000000000000000\n(0.020000) vcan0 120#0000000000000000\n";
+    write_text(
+        path("mixed.log"),
+        "(0.000000) vcan0 20000080#0000000000000000\n(0.000000) vcan0 121#R\n(0.000000) vcan0 120#0\n" +
+            frames);
     write_text(path("pure.log"), frames);
     ASSERT_EQ(replay("mixed.log pure.log"), 0) << err;
     EXPECT_THAT(err, testing::HasSubstr("mixed.log: left out: 1 error frames; 1 remote frames; 1 lines that "

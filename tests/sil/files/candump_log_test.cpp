@@ -196,7 +196,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ParseCandumpLine, TakesARawLengthCodeFor8Bytes) {
     for (const char* end : {"", "_9", "_F R", "_a T"}) {
-        const auto parsed = sil::parse_candump_line(std::string{"(0.000000) vcan0 123#1122334455667788"} + end);
+        const auto parsed =
+            sil::parse_candump_line(std::string{"(0.000000) vcan0 123#1122334455667788"} + end);
         ASSERT_TRUE(parsed.frame) << end;
         EXPECT_EQ(parsed.frame->frame.length, 8U);
     }

@@ -268,16 +268,15 @@ class Mf4(WithLogs):
 
         names = [name for name in bus_log_writers.FRAME_TYPE.names if name.rpartition(".")[2] not in without]
         file = self.folder / "made.mf4"
-        mdf = asammdf.MDF(self.written_file())
-        samples = mdf.get("CAN_DataFrame").samples
-        mdf.close()
+        with asammdf.MDF(self.written_file()) as mdf:
+            samples, start_time = mdf.get("CAN_DataFrame").samples, mdf.header.start_time
         kept = numpy.zeros(len(samples), dtype=[(name, bus_log_writers.FRAME_TYPE[name]) for name in names])
         for name in names:
             kept[name] = samples[name]
         source = v4_blocks.SourceInformation(source_type=v4_constants.SOURCE_BUS, bus_type=v4_constants.BUS_TYPE_CAN)
         bits = numpy.isin(numpy.arange(len(samples)), invalid) if invalid else None
         mdf = asammdf.MDF(version="4.10")
-        mdf.header.start_time = asammdf.MDF(self.written_file()).header.start_time
+        mdf.header.start_time = start_time
         mdf.append(asammdf.Signal(kept, numpy.array([frame.time_s for frame in FRAMES]), name="CAN_DataFrame", source=source,
                                   invalidation_bits=bits), comment="frames")
         mdf.save(file)
@@ -311,6 +310,17 @@ class TablesOfFrames(WithLogs):
         self.expect(header + "".join(f"{round(frame.time_s * 1e6)},{frame.identifier:08X},true,Rx,0,2,{frame.data.hex(',')}\n"
                                      for frame in short) + "77,00000120,false,Rx,0,4,01,02\n", short,
                     "1 damaged part, the first at line 62: the line cannot be understood (there are 2 of 4 bytes)")
+
+    def test_a_missing_line_end_is_noticed(self):
+        for header, row in (("Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2\n", "{},00000120,false,Rx,0,2,01,02,"),
+                            ("TimestampEpoch,BusChannel,ID,IDE,DLC,DataBytes\n", "{},1,120,0,2,0102")):
+            rows = [row.format(number) for number in (10, 20, 30, 40)]
+            frames, said = self.read(header + "\n".join(rows[:2]) + "x" + "\n".join(rows[2:]) + "\n")
+            self.assertEqual(len(frames), 2, header)
+            self.assertRegex(said, "^1 damaged part, the first at line 3: the line cannot be understood")
+            frames, said = self.read(header.replace("\n", ",") + "\n".join(rows) + "\n")
+            self.assertEqual(len(frames), 3, header)
+            self.assertEqual(said, "1 damaged part, the first at line 1: a row follows the names in their line")
 
     def test_python_can(self):
         rows = "".join(f"{frame.time_s!r},{frame.identifier:#x},0,0,0,8,{base64.b64encode(frame.data).decode()}\n" for frame in FRAMES)
