@@ -9,7 +9,7 @@ import signal
 from log_error import LogError
 
 CPU_S, BYTES_PER_CPU_S = 4, 1_000_000           # of one step; a library's import is in the first
-MEMORY, MEMORY_PER_BYTE = 1 << 29, 16           # beside what this process has
+MEMORY, MEMORY_PER_BYTE = 1 << 29, 64           # beside what this process has
 FILE_BYTES, FILE_BYTES_PER_BYTE = 1 << 20, 4    # some write temporary files
 ENDS = {signal.SIGXCPU: "it takes longer than any sound file of its size", signal.SIGKILL: "it was killed",
         signal.SIGSEGV: "the library that reads it crashed"}

@@ -1,12 +1,12 @@
 """The mapped signals of logs that are decoded already: columns of a CSV, channels of an MF4."""
 
 import collections
-import contextlib
 import csv
 import errno
 import itertools
 import pathlib
 
+import apart
 import progress
 import file_io
 from bus_logs import kind_of
@@ -75,8 +75,8 @@ def into(collected, entry, name, unit, mapping):
 def columns_of(path):
     """The columns or channels of a log that is decoded already, with their units; of a CSV also the time's."""
     if not is_csv(path):
-        with opened(path) as mdf:
-            return [Column(channel.name, channel.unit or "") for channel in mdf.iter_channels(skip_master=True)]
+        return list(itertools.chain(*of_mf4(path, lambda mdf: [[Column(channel.name, channel.unit or "")
+                                                                for channel in mdf.iter_channels(skip_master=True)]])))
     layout = Csv(path).layout()
     if layout is None:
         raise LogError(f"{path}:1: no line of the first {HEADER_LINES} names columns of which rows of numbers follow")
@@ -264,31 +264,39 @@ def unit_in(name):
 
 
 def read_mf4(path, mapping, collected):
-    with opened(path) as mdf:
+    def channels(mdf):
         start_s = mdf.header.start_time.timestamp()
         for entry in mapping.entries:
-            take_channel(mdf, path, start_s, mapping, entry, collected)
+            signal = channel_of(mdf, path, mapping, entry)
+            yield entry, signal.unit, [start_s + time_s for time_s in signal.timestamps.tolist()], signal.samples.tolist()
+
+    for entry, unit, times_s, values in of_mf4(path, channels):
+        target = into(collected, entry, entry.signal, unit, mapping)
+        for time_s, value in zip(times_s, values):
+            target.clock.take(path, time_s)
+            if isinstance(value, (bytes, str)):
+                target.take_text(value.decode("utf-8", "replace") if isinstance(value, bytes) else value)
+            else:
+                target.take(round(time_s * 1.0e6), float(value))
 
 
-@contextlib.contextmanager
-def opened(path):
-    """An MF4 of decoded signals."""
-    import asammdf  # takes a second, and others do not need it
+def of_mf4(path, work):
+    """Items that `work` makes of an MF4 of decoded signals."""
+    def opened():
+        import asammdf  # takes a second, and others do not need it
 
-    try:
         with asammdf.MDF(path) as mdf:
             if "CAN_DataFrame" in mdf.channels_db:
                 raise LogError(f"{path}: holds frames (MF4), so your DBC file is needed: --dbc FILE")
-            yield mdf
-    except LogError:
-        raise
-    except OSError as error:
-        raise LogError(f"{path}: cannot be read: {error.strerror}") from error
-    except Exception as error:  # the library raises anything on a damaged file
-        raise LogError(f"{path}: the MF4 is damaged ({type(error).__name__}: {error}); copy or export it again") from error
+            yield from work(mdf)
+
+    try:
+        yield from apart.items(path.stat().st_size, opened)
+    except apart.Ended as error:
+        raise LogError(f"{path}: the MF4 is damaged ({error}); copy or export it again") from error
 
 
-def take_channel(mdf, path, start_s, mapping, entry, collected):
+def channel_of(mdf, path, mapping, entry):
     places = mdf.channels_db.get(entry.signal)
     if not places:
         mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such channel; "
@@ -299,10 +307,4 @@ def take_channel(mdf, path, start_s, mapping, entry, collected):
     signal = mdf.get(entry.signal, group=places[0][0], index=places[0][1]).validate()
     if signal.samples.ndim != 1 or signal.samples.dtype.kind not in "fiubSUO":
         mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', whose values in {path} are no numbers")
-    target = into(collected, entry, entry.signal, signal.unit, mapping)
-    for time_s, value in zip(signal.timestamps.tolist(), signal.samples.tolist()):
-        target.clock.take(path, start_s + time_s)
-        if isinstance(value, (bytes, str)):
-            target.take_text(value.decode("utf-8", "replace") if isinstance(value, bytes) else value)
-        else:
-            target.take(round((start_s + time_s) * 1.0e6), float(value))
+    return signal

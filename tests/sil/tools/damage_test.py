@@ -11,8 +11,11 @@ import unittest.mock
 
 import damaging
 
+import asammdf
 import bus_log_writers
 import can
+import numpy
+import table_signals
 from bus_frame import Frame
 
 FRAMES = [Frame(round(0.01 * number, 6), 1, 0x120 + number % 3, False, bytes([number % 256, 255 - number % 256, 3, 4, 5, 6, 7, 8]),
@@ -67,6 +70,22 @@ class Damage(unittest.TestCase):
                     # One flipped bit costs two lines at most, where it was the end of one.
                     self.assertGreaterEqual(min(singles), len(FRAMES) - 2)
                     self.assertGreater(counts[f"cut at {len(content) // 2}"], len(FRAMES) / 2 - 10)
+
+    def test_an_mf4_of_signals(self):
+        file = self.folder / "signals.mf4"
+        mdf = asammdf.MDF(version="4.10")
+        mdf.append([asammdf.Signal(numpy.sin(numpy.arange(400.0)), 0.01 * numpy.arange(400), name=name, unit="deg/s")
+                    for name in ("RollRate", "YawRate")])
+        mdf.save(file)
+        mdf.close()
+        content = file.read_bytes()
+        self.assertEqual([column.name for column in table_signals.columns_of(file)], ["RollRate", "YawRate"])
+        for what, damaged in {**damaging.cuts(content, CUTS), **damaging.flips(content, FLIPS, SEED)}.items():
+            file.write_bytes(damaged)
+            outcome = damaging.within_bounds(len(damaged), lambda: table_signals.columns_of(file))
+            self.assertTrue(outcome.ended, f"{what}: {outcome.refusal}")
+            if outcome.refusal:
+                self.assertTrue(outcome.refusal.startswith(f"{file}"), f"{what}: {outcome.refusal}")
 
     def test_the_bounds_end_what_takes_too_much(self):
         with unittest.mock.patch.object(damaging, "SECONDS", 0.0):
