@@ -54,10 +54,10 @@ class Reader:
             if kind != CONTAINER:
                 yield from self._messages([(place, kind, data)])
                 continue
-            try:
-                yield from self._messages(self._inner.feed(unpacked(data)))
-            except (ValueError, struct.error, zlib.error) as error:
-                self._left_out.damage(f"byte {self._at}", f"a container that cannot be unpacked ({error})")
+            content, fault = unpacked(data)
+            yield from self._messages(self._inner.feed(content))
+            if fault:
+                self._left_out.damage(f"byte {self._at}", f"a container that cannot be unpacked ({fault})")
                 yield from self._messages(self._inner.end())
                 self._inner.resume()
 
@@ -92,14 +92,22 @@ class Reader:
 
 
 def unpacked(container):
-    method, size = blf.LOG_CONTAINER_STRUCT.unpack_from(container, HEADER.size)
+    """The content, and a fault if that is not all of it."""
+    if len(container) < HEADER.size + blf.LOG_CONTAINER_STRUCT.size:
+        return b"", "it has no content"
+    method, _ = blf.LOG_CONTAINER_STRUCT.unpack_from(container, HEADER.size)
     content = container[HEADER.size + blf.LOG_CONTAINER_STRUCT.size:]
     if method == blf.NO_COMPRESSION:
-        return content
+        return content, None
     if method != blf.ZLIB_DEFLATE:
-        raise ValueError(f"its method is {method}")
+        return b"", f"its method is {method}"
+    stream = zlib.decompressobj()
+    try:
+        content = stream.decompress(content, LARGEST_CONTAINER)
+    except zlib.error as error:
+        return b"", error
     # One that was cut off has no checksum any more: it is taken as far as it goes.
-    return zlib.decompressobj().decompress(content, min(size, LARGEST_CONTAINER) or 1)
+    return content, None if stream.eof else "it was cut off" if not stream.unconsumed_tail else "it is too large"
 
 
 def classic(data, at):

@@ -94,7 +94,7 @@ def kind_of(beginning):
     text = beginning.decode("latin-1").lstrip("\ufeff\u00ef\u00bb\u00bf \t\r\n")
     if text.startswith("(") or text.startswith("DROPCOUNT"):
         return "candump"
-    if re.match(r"(//.*\s+|\*.*\s+)*(date\s|base\s+(hex|dec)|begin\s+triggerblock)", text, re.IGNORECASE):
+    if re.match(r"((//|\*)[^\n]*\n\s*)*(date\s|base\s+(hex|dec)|begin\s+triggerblock)", text, re.IGNORECASE):
         return "ASC"
     if text.startswith(";") and re.search(r"^;(\$FILEVERSION|.*start time)", text, re.IGNORECASE | re.MULTILINE):
         return "TRC"

@@ -13,6 +13,11 @@ class LeftOut:
         self.damaged += 1
         self.first = self.first or f"the first at {place}: {' '.join(str(reason).split())[:120]}"
 
+    def add(self, other):
+        self.kinds.update(other.kinds)
+        self.damaged += other.damaged
+        self.first = self.first or other.first
+
     def __str__(self):
         parts = [f"{count} {kind}" for kind, count in sorted(self.kinds.items()) if count]
         if self.damaged:

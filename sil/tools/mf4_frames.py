@@ -8,6 +8,7 @@ from can.util import dlc2len
 
 import apart
 from bus_frame import LARGEST_EXTENDED, Frame, checked
+from left_out import LeftOut
 from log_error import LogError
 
 logging.getLogger("asammdf").setLevel(logging.CRITICAL)  # its complaints are counted here
@@ -20,7 +21,8 @@ def frames(log):
     log.position = lambda: taken
     log.place = lambda: f"byte {taken} or so"
     try:
-        for taken, rows, log.left_out in apart.items(log.size, lambda: parts(log)):
+        for taken, rows, left_out in apart.items(log.size, lambda: parts(log)):
+            log.left_out.add(left_out)
             yield from map(Frame._make, rows)
     except apart.Ended as error:
         if taken == 0:
@@ -29,7 +31,7 @@ def frames(log):
 
 
 def parts(log):
-    """The frames part by part: how far it has come in bytes, the frames, and what was left out until then."""
+    """The frames part by part: how far it has come in bytes, the frames, and what was left out of them."""
     import asammdf  # takes a second, and others do not need it
 
     with asammdf.MDF(log.path, raise_on_multiple_occurrences=False) as mdf:
@@ -50,7 +52,8 @@ def parts(log):
         while not is_end:
             rows = [tuple(frame) for frame in itertools.islice(merged, RECORDS)]
             is_end = len(rows) < RECORDS
-            yield max(log.size * sum(group.taken for group in groups) // wanted, 1), rows, log.left_out
+            left_out, log.left_out = log.left_out, LeftOut()
+            yield max(log.size * sum(group.taken for group in groups) // wanted, 1), rows, left_out
 
 
 class Group:

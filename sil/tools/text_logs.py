@@ -84,9 +84,9 @@ def trc(log):
         def frame_lines():
             for text in (line.strip() for line in lines_of(log, file)):
                 key, _, value = text.partition("=")
-                if text.startswith(";$") and not (key == ";$STARTTIME" and not re.fullmatch(r"\d+(\.\d+)?", value)):
+                if key in (";$FILEVERSION", ";$COLUMNS") or key == ";$STARTTIME" and re.fullmatch(r"\d+(\.\d+)?", value):
                     head[key] = text
-                elif text.startswith(";$"):
+                elif key == ";$STARTTIME":
                     log.left_out.damage(log.place(), "the start time is no number, so times begin at 0")
                 elif not text or text.startswith(";"):
                     continue

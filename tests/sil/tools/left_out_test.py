@@ -136,6 +136,10 @@ class Asc(WithLogs):
                        ASC_HEADER + "base hex  timestamps absolute\nBegin Triggerblock Mon Jan 1 10:00:00.000 am 2024\n"):
             self.expect(header + self.BODY, FRAMES, "", "ASC")
 
+    def test_a_beginning_of_many_remarks_is_decided_at_once(self):
+        with self.assertRaisesRegex(LogError, "this is no log that can be read"):
+            self.read("// " * 1300 + "\n" + "*// " * 1000)
+
     def test_decimal_numbers_are_read(self):
         body = "".join(f"   {frame.time_s:.6f} 1  {frame.identifier} Rx d {len(frame.data)} {' '.join(map(str, frame.data))}\n"
                        for frame in FRAMES)
@@ -230,6 +234,20 @@ class Blf(WithLogs):
         self.assertEqual(frames, FRAMES[:20] + FRAMES[40:])
         self.assertTrue(said.startswith(f"1 damaged part, the first at byte {144 + len(containers[0])}: a container that cannot be "
                                         "unpacked (Error -3 while decompressing data: "), said)
+
+    def test_the_size_that_a_container_states_does_not_matter(self):
+        content = bytearray(blf(b"".join(map(blf_object, FRAMES))))
+        content[144 + 24:144 + 28] = struct.pack("<L", 100)
+        self.expect(bytes(content), FRAMES)
+
+    def test_a_packed_container_without_its_end_spoils_no_other(self):
+        objects = [blf(b"".join(map(blf_object, FRAMES[first:first + 30])))[144:] for first in (0, 30)]
+        packed = objects[0][32:-20]
+        short = struct.pack("<4sHHLLH6xL4x", b"LOBJ", 16, 1, 32 + len(packed), 10, 2, 30 * 48) + packed
+        frames, said = self.read(blf(short + objects[1], contained=False))
+        self.assertEqual(frames, FRAMES[:len(frames) - 30] + FRAMES[30:])
+        self.assertGreater(len(frames), 40)
+        self.assertRegex(said, r"^\d damaged parts?, the first at byte 144: a container that cannot be unpacked \(it was cut off\)")
 
     def test_a_cut_file_gives_what_is_there(self):
         whole = blf(b"".join(map(blf_object, FRAMES)), compressed=False)

@@ -89,7 +89,7 @@ class OwnFrames(support.WithRun):
         cut.parent.mkdir()
         cut.write_bytes(whole.read_bytes()[:-1000])
         said = self.logs("convert", cut, "--output", cut.parent)
-        self.assertRegex(said, rf"^{cut}: left out: 2 damaged parts, the first at byte \d+: cut off in the middle of an object\n")
+        self.assertRegex(said, rf"^{cut}: left out: 3 damaged parts, the first at byte \d+: cut off in the middle of an object\n")
         lines = (cut.parent / "drive.log").read_text(encoding="ascii").splitlines()
         self.assertEqual(lines, self.original.read_text(encoding="ascii").replace("vcan0", "can0").splitlines()[:len(lines)])
         self.assertGreater(len(lines), 800)
