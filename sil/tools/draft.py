@@ -103,7 +103,8 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
-        times = [signal for signal in self.signals if re.match(r"(t|time\w*|zeit\w*|interval)( |$)", signal_names.words(signal.name))]
+        times = [signal for signal in self.signals
+                 if re.match(r"(t|time\w*|zeit\w*|interval)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 

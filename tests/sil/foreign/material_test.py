@@ -124,8 +124,8 @@ class Material(unittest.TestCase):
                     for number, raw in enumerate((-3, 3, -3, 3)):
                         data = message.encode({one.name: raw if one is signal else 0 for one in message.signals}, scaling=False,
                                               padding=False, strict=False)
-                        frames.append(Frame(0.01 * number, 1, message.frame_id, message.is_extended_frame, bytes(data), False, False,
-                                            False))
+                        frames.append(Frame(0.01 * number, 1, message.frame_id, message.is_extended_frame, bytes(data), False,
+                                            False, False))
                 except (OverflowError, cantools.database.errors.Error):  # signals beyond the message's end
                     continue
                 if signal.conversion.raw_to_scaled(-3) < 0.0 < signal.conversion.raw_to_scaled(3):

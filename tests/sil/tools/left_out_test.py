@@ -19,8 +19,8 @@ from bus_frame import Frame
 from bus_logs import BusLog
 from log_error import LogError
 
-FRAMES = [Frame(round(0.01 * number, 6), 1, 0x120 + number % 3, False, bytes([number, 255 - number, 3, 4, 5, 6, 7, 8]), False, False,
-                False) for number in range(60)]
+FRAMES = [Frame(round(0.01 * number, 6), 1, 0x120 + number % 3, False, bytes([number, 255 - number, 3, 4, 5, 6, 7, 8]), False,
+                False, False) for number in range(60)]
 YEAR_2000_S = 946_684_800
 ASC_HEADER = "date Mon Jan 1 10:00:00.000 am 2024\nbase hex  timestamps absolute\ninternal events logged\n"
 
