@@ -130,7 +130,9 @@ class Replayer {
         const std::string text = read_whole_file(file);
         if (is_candump_log(text)) {
             source.kind = "candump";
-            replay = replay_log(parse_candump_log(text, file), file, parameters_);
+            const SiftedLog log = sift_candump_log(text);
+            tell(log.left_out.text(file));
+            replay = replay_log(log.frames, file, parameters_);
         } else {
             const Drive drive = parse_drive_csv(text, file);
             tell_ignored(drive);

@@ -14,6 +14,7 @@
 #include "sil/apps/ecu_loop.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/simulation/replay.hpp"
 
 namespace {
@@ -48,10 +49,11 @@ void require_parameters(const std::string& parameters) {
 }
 
 std::vector<sil::LoggedFrame> answers_to(const ReplayRequest& request) {
-    const std::vector<sil::LoggedFrame> log = sil::read_candump_log(request.log);
+    const sil::SiftedLog log = sil::sift_candump_log(sil::read_whole_file(request.log));
+    sil::tell(log.left_out.text(request.log));
     const rsi::Parameters parameters = sil::load_calibration(request.parameters);
     try {
-        return sil::replay(log, parameters);
+        return sil::replay(log.frames, parameters);
     } catch (const sil::ReplayError& error) {
         const std::string place = error.line() == 0U ? "" : fmt::format(":{}", error.line());
         throw std::runtime_error(fmt::format("{}{}: {}", request.log.string(), place, error.what()));

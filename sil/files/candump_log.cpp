@@ -18,6 +18,7 @@ constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
 constexpr std::int64_t largest_seconds = 9'000'000'000;  // 2255; in nanoseconds it still fits 63 bits
 constexpr std::uint32_t largest_standard_identifier = 0x7FFU;
 constexpr std::uint32_t largest_extended_identifier = 0x1FFFFFFFU;
+constexpr std::uint32_t error_frame_flag = 0x20000000U;
 constexpr std::size_t classic_bytes = 8U;
 constexpr std::size_t flexible_bytes = 64U;
 
@@ -70,8 +71,8 @@ class LineParser {
     // A zero at the end, which is no character of any line that is taken.
     char current() const { return position_ < line_.size() ? line_[position_] : '\0'; }
 
-    [[noreturn]] void fail(const std::string& message) const {
-        throw CandumpLineError{position_ + 1U, message};
+    [[noreturn]] void fail(const std::string& message, CandumpLineKind kind = CandumpLineKind::wrong) const {
+        throw CandumpLineError{position_ + 1U, message, kind};
     }
 
     bool accept(char character) {
@@ -143,7 +144,9 @@ class LineParser {
         if (identifier > (extended ? largest_extended_identifier : largest_standard_identifier)) {
             position_ = begin;
             fail(extended ? "an extended identifier ends at 1FFFFFFF (an error frame is no data frame)"
-                          : "a standard identifier ends at 7FF");
+                          : "a standard identifier ends at 7FF",
+                 (identifier & error_frame_flag) != 0U ? CandumpLineKind::error_frame
+                                                       : CandumpLineKind::wrong);
         }
         logged_.frame.identifier = identifier;
         logged_.frame.extended = extended;
@@ -151,9 +154,20 @@ class LineParser {
 
     void parse_classic_payload() {
         if (current() == 'R' || current() == 'r') {
-            fail("this is a remote frame; only data frames can be read");
+            fail("this is a remote frame; only data frames can be read", CandumpLineKind::remote_frame);
         }
         parse_bytes(classic_bytes);
+        if (logged_.frame.length == classic_bytes && accept('_')) {
+            parse_raw_length_code();
+        }
+    }
+
+    // A frame of 8 bytes may have been sent with a code from 9 to 15, which means 8, too.
+    void parse_raw_length_code() {
+        if (hexadecimal_value(current()) <= static_cast<int>(classic_bytes)) {
+            fail("expected a raw length code from 9 to F after '_'");
+        }
+        ++position_;
     }
 
     void parse_flexible_payload() {
@@ -204,6 +218,23 @@ class LineParser {
     LoggedFrame logged_;
 };
 
+// Hands every line that is not empty to `take`, with its number.
+template <typename Take>
+void for_each_line(std::string_view text, const Take& take) {
+    for (std::size_t number = 1U; !text.empty(); ++number) {
+        const std::string_view line = text.substr(0U, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1U, text.size()));
+        if (line.empty() || line == "\r") {
+            continue;
+        }
+        ParsedCandumpLine parsed = parse_candump_line(line);
+        if (parsed.frame) {
+            parsed.frame->line = number;
+        }
+        take(number, std::move(parsed));
+    }
+}
+
 }  // namespace
 
 std::string format_candump_line(const LoggedFrame& logged) {
@@ -242,26 +273,53 @@ ParsedCandumpLine parse_candump_line(std::string_view line) {
     return result;
 }
 
+std::string LeftOutLines::text(const std::filesystem::path& file) const {
+    std::string text;
+    const auto add = [&text](std::size_t count, std::string_view what) {
+        if (count > 0U) {
+            text += fmt::format("{}{} {}", text.empty() ? "" : "; ", count, what);
+        }
+    };
+    add(error_frames, "error frames");
+    add(remote_frames, "remote frames");
+    add(wrong, "lines that are no frames");
+    if (wrong > 0U) {
+        text += fmt::format(", the first {}:{}:{}: {}", file.string(), first_wrong, first_error.column,
+                            first_error.message);
+    }
+    return text.empty() ? text : fmt::format("{}: left out: {}\n", file.string(), text);
+}
+
+SiftedLog sift_candump_log(std::string_view text) {
+    SiftedLog log;
+    for_each_line(text, [&log](std::size_t number, ParsedCandumpLine parsed) {
+        if (parsed.frame) {
+            log.frames.push_back(std::move(*parsed.frame));
+        } else if (parsed.error.kind == CandumpLineKind::error_frame) {
+            ++log.left_out.error_frames;
+        } else if (parsed.error.kind == CandumpLineKind::remote_frame) {
+            ++log.left_out.remote_frames;
+        } else if (++log.left_out.wrong == 1U) {
+            log.left_out.first_wrong = number;
+            log.left_out.first_error = std::move(parsed.error);
+        }
+    });
+    return log;
+}
+
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path) {
     return parse_candump_log(read_whole_file(path), path);
 }
 
 std::vector<LoggedFrame> parse_candump_log(std::string_view text, const std::filesystem::path& file) {
     std::vector<LoggedFrame> frames;
-    for (std::size_t number = 1U; !text.empty(); ++number) {
-        const std::string_view line = text.substr(0U, text.find('\n'));
-        text.remove_prefix(std::min(line.size() + 1U, text.size()));
-        if (line.empty() || line == "\r") {
-            continue;
-        }
-        ParsedCandumpLine parsed = parse_candump_line(line);
+    for_each_line(text, [&](std::size_t number, ParsedCandumpLine parsed) {
         if (!parsed.frame) {
             throw InputError(fmt::format("{}:{}:{}: {}", file.string(), number, parsed.error.column,
                                          parsed.error.message));
         }
         frames.push_back(std::move(*parsed.frame));
-        frames.back().line = number;
-    }
+    });
     return frames;
 }
 

@@ -30,10 +30,14 @@ inline constexpr std::uint8_t canonical_fd_flags = 0x3U;
 // (identifier bits beyond 11 or 29, bytes beyond 8 or 64) is cut off.
 std::string format_candump_line(const LoggedFrame& logged);
 
+// How a line is no data frame.
+enum class CandumpLineKind : std::uint8_t { wrong, error_frame, remote_frame };
+
 // An error in a line, to be read by a person; `column` counts from 1.
 struct CandumpLineError {
     std::size_t column{1U};
     std::string message;
+    CandumpLineKind kind{CandumpLineKind::wrong};
 };
 
 struct ParsedCandumpLine {
@@ -42,17 +46,37 @@ struct ParsedCandumpLine {
 };
 
 // Reads one line, without its line feed. Any bytes may come: what is no data frame is an error, never a
-// crash. Remote frames, error frames and CAN XL are errors. A carriage return and the direction " R" or " T"
-// that `candump -x` adds are accepted.
+// crash. Remote frames, error frames and CAN XL are errors. A carriage return, the direction " R" or " T"
+// that `candump -x` adds and the raw length code "_9" to "_F" of `candump -8` are accepted.
 ParsedCandumpLine parse_candump_line(std::string_view line);
 
-// All frames of a log, in the order of the file, whatever their times (candump may write two frames that
-// arrived on two processors in the wrong order). Empty lines are skipped. Throws InputError
-// "FILE:LINE:COLUMN: what is wrong", or that the file cannot be read.
+// All frames of a log that this project wrote, in the order of the file, whatever their times (candump may
+// write two frames that arrived on two processors in the wrong order). Empty lines are skipped. Throws
+// InputError "FILE:LINE:COLUMN: what is wrong", or that the file cannot be read.
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path);
 
 // The same of a text that was read from `file`.
 std::vector<LoggedFrame> parse_candump_log(std::string_view text, const std::filesystem::path& file);
+
+// The lines of a log that are no data frames, of which a bus has some and a recorder others.
+struct LeftOutLines {
+    std::size_t error_frames{0U};
+    std::size_t remote_frames{0U};
+    std::size_t wrong{0U};        // notes of the recorder, CAN XL, damage
+    std::size_t first_wrong{0U};  // line of the first of these, counted from 1
+    CandumpLineError first_error;
+
+    // A line for a person; empty where nothing was left out.
+    std::string text(const std::filesystem::path& file) const;
+};
+
+struct SiftedLog {
+    std::vector<LoggedFrame> frames;
+    LeftOutLines left_out;
+};
+
+// All frames of the log of a recorder that is not ours: whatever else is there costs its line.
+SiftedLog sift_candump_log(std::string_view text);
 
 class CandumpLogWriter {
  public:

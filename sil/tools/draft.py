@@ -48,9 +48,12 @@ def make(dbc, log, output):
     evidence = Evidence(source, choices, log)
     blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
     text = "\n".join(blocks)
+    known = sum(bool(choice.found) for choice in choices.values())
+    if not known:
+        raise LogError(f"{dbc or log}: none of its {len(source.signals)} signals has the name of a quantity of a drive; write the "
+                       "mapping yourself (docs/can.md), or take another file")
     file_io.write(output, text)
     questions = text.count('= "?"')
-    known = sum(bool(choice.found) for choice in choices.values())
     print(f"{output}: {known} of {len(choices)} quantities drafted, {questions} questions (\"?\") to answer")
 
 
@@ -127,7 +130,7 @@ class TableSource:
                         for column in table_signals.columns_of(log)]
         self.in_log = self.signals
         times = [signal for signal in self.signals
-                 if re.match(r"(t|\w*time\w*|\w*zeit\w*)( |$)", signal_names.words(signal.name))]
+                 if re.match(r"(t|\w*time\w*|\w*zeit\w*|interval)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 

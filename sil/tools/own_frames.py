@@ -41,8 +41,7 @@ def convert(logs, folder, bus):
         counts = {}
         bus_log_writers.write_candump(file, checked(log, known, bus, counts))
         converted = ", ".join(f"{count} {known[identifier]}" for identifier, count in sorted(counts.items()))
-        others = "".join(f"; {count} {kind} frames were left out" for kind, count in sorted(log.others.items()) if count)
-        print(f"{path} ({log.kind}): {converted}{others}\n  {file}")
+        print(f"{path} ({log.kind}): {converted}\n  {file}")
 
 
 def checked(log, known, bus, counts):

@@ -1,15 +1,17 @@
 """The mapped signals of logs that are decoded already: columns of a CSV, channels of an MF4."""
 
 import collections
-import contextlib
 import csv
 import errno
+import itertools
 import pathlib
 
+import apart
 import progress
 import file_io
 from bus_logs import kind_of
 from drive_quantities import is_known
+from left_out import LeftOut
 from log_error import LogError
 from mapping import closest, signals_of
 from recorded import Clock, Collected, combined
@@ -19,6 +21,7 @@ Column = collections.namedtuple("Column", "name unit minimum maximum scale is_fl
 
 HEADER_LINES = 200  # the names stand before
 LONGEST_LINE = 1_000_000
+SEPARATORS = (",", ";", "\t")
 
 
 def read(logs, mapping):
@@ -47,7 +50,7 @@ def is_csv(path):
     if kind not in (None, "MF4"):
         raise LogError(f"{path}: holds frames ({kind}), so your DBC file is needed: --dbc FILE")
     if b"\0" in beginning and kind is None:
-        raise LogError(f"{path}: is neither a log of frames (MF4, BLF, ASC, candump) nor a CSV")
+        raise LogError(f"{path}: is neither a log of frames (MF4, BLF, ASC, TRC, candump) nor a CSV")
     return kind is None
 
 
@@ -78,17 +81,16 @@ def into(collected, entry, role, unit, mapping):
 def columns_of(path):
     """The columns or channels of a log that is decoded already, with their units; of a CSV also the time's."""
     if not is_csv(path):
-        with opened(path) as mdf:
-            return [Column(channel.name, channel.unit or "") for channel in mdf.iter_channels(skip_master=True)]
-    table = Csv(path)
-    for line in table.lines():
-        for table.separator in (",", ";", "\t"):
-            names = table.fields(line)
-            if len(names) > 1 and not any(table.number_of(name) is not None for name in names):
-                return [Column(name, unit_in(name)) for name in names if name]
-        if table.number >= HEADER_LINES:
-            break
-    raise LogError(f"{path}:1: none of the first {HEADER_LINES} lines names columns")
+        return list(itertools.chain(*of_mf4(path, lambda mdf: [[Column(channel.name, channel.unit or "")
+                                                                for channel in mdf.iter_channels(skip_master=True)]])))
+    layout = Csv(path).layout()
+    if layout is None:
+        raise LogError(f"{path}:1: no line of the first {HEADER_LINES} names columns of which rows of numbers follow")
+    return [Column(name, unit) for name, unit in zip(layout.names, layout.units) if name]
+
+
+# How a CSV is written: what separates fields, the line of the names, names and units.
+Layout = collections.namedtuple("Layout", "separator number names units")
 
 
 class Csv:
@@ -97,6 +99,7 @@ class Csv:
     def __init__(self, path):
         self.path = pathlib.Path(path)
         self.size = self.path.stat().st_size
+        self.left_out = LeftOut()
         self.number = 0
         self.is_ended = True
         self._file = None
@@ -117,16 +120,47 @@ class Csv:
         except csv.Error as error:
             raise LogError(f"{self.path}:{self.number}: this line cannot be understood ({error}); export it again") from error
 
+    def layout(self):
+        """As far as the lines themselves tell, from the first rows of numbers upwards; None where there are no such."""
+        head = [(self.number, line.strip()) for line in itertools.islice(self.lines(), HEADER_LINES)]
+        layouts = [layout for layout in (self._layout(separator, head) for separator in SEPARATORS) if layout]
+        return max(layouts, key=lambda layout: len(layout.names), default=None)
+
+    def _layout(self, separator, head):
+        self._separate_by(separator)
+        rows = [(number, self.fields(line) if line and not is_remark(line) else []) for number, line in head]
+        first = next((index for index, (_, fields) in enumerate(rows) if self.is_row(fields)), None)
+        above = []  # lines without a number and of as many fields, the nearest first
+        for number, fields in reversed(rows[:first] if first is not None else []):
+            if len(fields) == len(rows[first][1]) and not any(self.number_of(field) is not None for field in fields):
+                above += [(number, fields)] * any(fields)
+            elif above:
+                break
+        if not above:
+            return None
+        has_units = len(above) > 1 and any(field and is_known(field) for field in above[0][1])
+        number, fields = above[has_units]
+        names, units = named(fields)
+        return Layout(separator, number, names, above[0][1] if has_units else units)
+
+    def is_row(self, fields):
+        filled = [field for field in fields if field]
+        return len(fields) > 1 and sum(self.number_of(field) is not None for field in filled) > len(filled) / 2
+
+    def _separate_by(self, separator):
+        self.separator, self.comma = separator, separator != ","
+
     def header(self, lines, time_name):
-        """The names of the columns: those of the first line that has the name of the time's column."""
-        first = None
+        """Names and units of the columns: of the line that has the name of the time's column."""
+        layout = self.layout()
+        number = layout.number if layout and time_name in layout.names else None
+        first = layout.names if layout else None
         for line in lines:
-            for separator in (",", ";", "\t"):
-                self.separator = separator
-                names = self.fields(line)
-                if time_name in names:
-                    self.comma = separator != ","
-                    return names
+            for separator in SEPARATORS:
+                self._separate_by(separator)
+                names, units = named(self.fields(line))
+                if time_name in names and number in (None, self.number):
+                    return names, units
                 if first is None and len(names) > 1:
                     first = names
             if self.number >= HEADER_LINES:
@@ -151,13 +185,25 @@ class Csv:
     rows = ()
 
 
+def is_remark(line):
+    """As recorders for lap times write between the rows."""
+    return line.lstrip().startswith("#")
+
+
+def named(fields):
+    """Names and units of columns: a name, perhaps with its unit at the end, or "name"|"unit"|least|largest|rate."""
+    parts = [[part.strip(' "') for part in field.split("|")] if field.count("|") == 4 else [field, unit_in(field)]
+             for field in fields]
+    return [part[0] for part in parts], [part[1] for part in parts]
+
+
 def read_csv(path, mapping, clock, collected):
     if mapping.time is None:
         raise LogError(f"{mapping.path}:1: there is no table [time], and {path} is a CSV; add [time] with signal = the name of "
                        "the column that has the time, and its unit (for a log of frames in another container give --dbc)")
     table = Csv(path)
     lines = table.lines()
-    names = table.header(lines, mapping.time[0])
+    names, units = table.header(lines, mapping.time[0])
     repeated = [name for name, count in collections.Counter(names).items() if count > 1]
     wanted = [(entry, role, name) for entry in mapping.entries for role, name in signals_of(entry).items()]
     used = {mapping.time[0]} | {name for _, _, name in wanted}
@@ -167,18 +213,19 @@ def read_csv(path, mapping, clock, collected):
     for entry, role, name in wanted:
         if name not in names:
             mapping.fail(entry.quantity, role, f"is '{name}', but {path} has no such column; {closest(name, names)}")
-    read_rows(table, lines, names, mapping, wanted, clock, collected)
+    read_rows(table, lines, names, units, mapping, wanted, clock, collected)
 
 
-def read_rows(table, lines, names, mapping, wanted, clock, collected):
+def read_rows(table, lines, names, units, mapping, wanted, clock, collected):
     time_index, time_factor = names.index(mapping.time[0]), mapping.time[1]
     header_line, targets = table.number, None
-    units = [unit_in(name) for name in names]
     table.rows = lines
     for line in progress.reported(table):
-        if not line.strip():
+        if not line.strip() or is_remark(line):
             continue
         fields = table.fields(line)
+        if len(fields) == len(names) + 1 and not fields[-1]:
+            fields.pop()  # a separator at the end of each row
         place = f"{table.path}:{table.number}"
         if not table.is_ended:
             raise LogError(f"{place}: the last line has no line end: the file was cut off; copy it again, or delete this line")
@@ -186,7 +233,7 @@ def read_rows(table, lines, names, mapping, wanted, clock, collected):
             raise LogError(f"{place}: {len(fields)} fields, but line {header_line} names {len(names)} columns; export it again")
         number = table.number_of(fields[time_index])
         if targets is None and all(table.number_of(field) is None for field in fields):
-            units = fields  # a line of units below the names
+            units = fields if any(fields) else units  # a line of units below the names
             continue
         if number is None:
             raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
@@ -223,32 +270,41 @@ def unit_in(name):
 
 
 def read_mf4(path, mapping, collected):
-    with opened(path) as mdf:
+    def channels(mdf):
         start_s = mdf.header.start_time.timestamp()
         for entry in mapping.entries:
             for role in signals_of(entry):
-                take_channel(mdf, path, start_s, mapping, entry, role, collected)
+                signal = channel_of(mdf, path, mapping, entry, role)
+                times_s = [start_s + time_s for time_s in signal.timestamps.tolist()]
+                yield entry, role, signal.unit, times_s, signal.samples.tolist()
+
+    for entry, role, unit, times_s, values in of_mf4(path, channels):
+        target = into(collected, entry, role, unit, mapping)
+        for time_s, value in zip(times_s, values):
+            target.clock.take(path, time_s)
+            if isinstance(value, (bytes, str)):
+                target.take_text(value.decode("utf-8", "replace") if isinstance(value, bytes) else value)
+            else:
+                target.take(round(time_s * 1.0e6), float(value))
 
 
-@contextlib.contextmanager
-def opened(path):
-    """An MF4 of decoded signals."""
-    import asammdf  # takes a second, and others do not need it
+def of_mf4(path, work):
+    """Items that `work` makes of an MF4 of decoded signals."""
+    def opened():
+        import asammdf  # takes a second, and others do not need it
 
-    try:
         with asammdf.MDF(path) as mdf:
             if "CAN_DataFrame" in mdf.channels_db:
                 raise LogError(f"{path}: holds frames (MF4), so your DBC file is needed: --dbc FILE")
-            yield mdf
-    except LogError:
-        raise
-    except OSError as error:
-        raise LogError(f"{path}: cannot be read: {error.strerror}") from error
-    except Exception as error:  # the library raises anything on a damaged file
-        raise LogError(f"{path}: the MF4 is damaged ({type(error).__name__}: {error}); copy or export it again") from error
+            yield from work(mdf)
+
+    try:
+        yield from apart.items(path.stat().st_size, opened)
+    except apart.Ended as error:
+        raise LogError(f"{path}: the MF4 is damaged ({error}); copy or export it again") from error
 
 
-def take_channel(mdf, path, start_s, mapping, entry, role, collected):
+def channel_of(mdf, path, mapping, entry, role):
     name = signals_of(entry)[role]
     places = mdf.channels_db.get(name)
     if not places:
@@ -260,10 +316,4 @@ def take_channel(mdf, path, start_s, mapping, entry, role, collected):
     signal = mdf.get(name, group=places[0][0], index=places[0][1]).validate()
     if signal.samples.ndim != 1 or signal.samples.dtype.kind not in "fiubSUO":
         mapping.fail(entry.quantity, role, f"is '{name}', whose values in {path} are no numbers")
-    target = into(collected, entry, role, signal.unit, mapping)
-    for time_s, value in zip(signal.timestamps.tolist(), signal.samples.tolist()):
-        target.clock.take(path, start_s + time_s)
-        if isinstance(value, (bytes, str)):
-            target.take_text(value.decode("utf-8", "replace") if isinstance(value, bytes) else value)
-        else:
-            target.take(round((start_s + time_s) * 1.0e6), float(value))
+    return signal

@@ -189,15 +189,22 @@ class RsiEcu(Messages):
                 self.assert_usage_error(finished, str(output), "choose another name", help_of="rsi-ecu replay")
                 self.assertEqual(log.read_text(encoding="ascii"), text)
 
-    def test_names_file_line_and_column_of_a_wrong_log(self):
+    def test_leaves_out_lines_of_a_log_that_are_no_frames_and_says_so(self):
+        frames = "(1.000000) vcan0 120#0000000000000000\n(1.100000) vcan0 120#0000000000000000\n"
+        others = "(1.000000) vcan0 20000080#0000000000000000\n(1.000000) vcan0 121#R8\n(1.010000) vcan0 12X#00\n"
+        answers = []
         with tempfile.TemporaryDirectory() as folder:
-            log = pathlib.Path(folder) / "in.log"
-            log.write_text("(1.000000) vcan0 120#00\n(1.010000) vcan0 12X#00\n")
-            finished = programs.run(
-                "rsi-ecu", "replay", log, "--parameters", programs.CALIBRATION, "--output", log.with_name("out.log")
-            )
-        self.assertEqual(finished.returncode, 1)
-        self.assertIn(f"{log}:2:", finished.stderr)
+            log, output = pathlib.Path(folder) / "in.log", pathlib.Path(folder) / "out.log"
+            for text in (frames, others + frames):
+                log.write_text(text, encoding="ascii")
+                finished = programs.run(
+                    "rsi-ecu", "replay", log, "--parameters", programs.CALIBRATION, "--output", output
+                )
+                self.assertEqual(finished.returncode, 0, finished.stderr)
+                answers.append(output.read_bytes())
+        self.assertEqual(answers[0], answers[1])
+        self.assertIn(f"{log}: left out: 1 error frames; 1 remote frames; 1 lines that are no frames, the first {log}:3:18: ",
+                      finished.stderr)
 
 
 if __name__ == "__main__":

@@ -41,6 +41,15 @@ bool check_line(std::string_view line) {
     return true;
 }
 
+// Read as another recorder's: whatever is wrong costs its line, and is counted.
+void check_sifted(std::string_view text, std::size_t frames, std::size_t wrong_lines) {
+    const sil::SiftedLog log = sil::sift_candump_log(text);
+    require(log.frames.size() == frames, "no line costs another");
+    require(log.left_out.error_frames + log.left_out.remote_frames + log.left_out.wrong == wrong_lines,
+            "every line that is left out is counted");
+    require(log.left_out.text("log").empty() == (wrong_lines == 0U), "and said");
+}
+
 void check_file(std::string_view text, std::size_t frames, std::size_t first_wrong_line) {
     static fuzz::MemoryFile file;
     file.write(text.data(), text.size());
@@ -63,6 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text{reinterpret_cast<const char*>(data), size};
     std::size_t frames = 0U;
     std::size_t first_wrong_line = 0U;
+    std::size_t wrong_lines = 0U;
     std::string_view rest = text;
     for (std::size_t number = 1U; !rest.empty(); ++number) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -71,10 +81,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const bool good = check_line(line);
         frames += good ? 1U : 0U;
         const bool is_empty = line.empty() || line == "\r";
-        if (!good && !is_empty && first_wrong_line == 0U) {
+        wrong_lines += !good && !is_empty ? 1U : 0U;
+        if (wrong_lines == 1U && first_wrong_line == 0U) {
             first_wrong_line = number;
         }
     }
+    check_sifted(text, frames, wrong_lines);
     check_file(text, frames, first_wrong_line);
     return 0;
 }

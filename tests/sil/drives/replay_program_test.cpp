@@ -150,11 +150,25 @@ TEST_F(ReplayProgram, TellsIgnoredColumnsOnce) {
     EXPECT_EQ(err.find(remark), err.rfind(remark));
 }
 
-TEST_F(ReplayProgram, ABadLineOfALogIsToldToo) {
-    write_text(path("bad.log"), "(0.000000) vcan0 120#00\n(0.010000) vcan0 120#0\n");
+TEST_F(ReplayProgram, LeavesOutLinesOfALogThatAreNoFramesAndSaysSo) {
+    const std::string frames =
+        "(0.000000) vcan0 120#0000000000000000\n(0.020000) vcan0 120#0000000000000000\n";
+    write_text(
+        path("mixed.log"),
+        "(0.000000) vcan0 20000080#0000000000000000\n(0.000000) vcan0 121#R\n(0.000000) vcan0 120#0\n" +
+            frames);
+    write_text(path("pure.log"), frames);
+    ASSERT_EQ(replay("mixed.log pure.log"), 0) << err;
+    EXPECT_THAT(err, testing::HasSubstr("mixed.log: left out: 1 error frames; 1 remote frames; 1 lines that "
+                                        "are no frames, the first mixed.log:3:"));
+    EXPECT_EQ(text_of(results("mixed") / "indices.csv"), text_of(results("pure") / "indices.csv"));
+}
+
+TEST_F(ReplayProgram, RefusesALogOfNothingButBadLines) {
+    write_text(path("bad.log"), "(0.010000) vcan0 120#0\n");
     EXPECT_EQ(replay("bad.log"), 1);
-    EXPECT_THAT(err, testing::HasSubstr("bad.log:2:"));
-    EXPECT_FALSE(fs::exists(results("bad")));
+    EXPECT_THAT(err, testing::HasSubstr("the first bad.log:1:"));
+    EXPECT_THAT(err, testing::HasSubstr("bad.log: there is no sensor frame in this log"));
 }
 
 TEST_F(ReplayProgram, WithoutFilesOrWithUnknownOptionsShowsTheWay) {

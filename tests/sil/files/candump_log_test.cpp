@@ -187,9 +187,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"(1.000000) vcan0 123#00.11", 24U, "end of the line"},
                     Malformed{"(1.000000) vcan0 123#00 11", 24U, "end of the line"},
                     Malformed{"(1.000000) vcan0 123#112233445566778899", 38U, "more than 8"},
-                    Malformed{"(1.000000) vcan0 123#1122334455667788_9", 38U, "end of the line"},
+                    Malformed{"(1.000000) vcan0 123#1122334455667788_8", 39U, "raw length code"},
+                    Malformed{"(1.000000) vcan0 123#1122334455667788_", 39U, "raw length code"},
+                    Malformed{"(1.000000) vcan0 123#1122334455667788_9A", 40U, "end of the line"},
+                    Malformed{"(1.000000) vcan0 123#11223344556677_9", 36U, "end of the line"},
                     Malformed{"(1.000000) vcan0 123##", 23U, "flags"},
                     Malformed{"(1.000000) vcan0 123##1112233445566778899", 42U, "9 bytes"}));
+
+TEST(ParseCandumpLine, TakesARawLengthCodeFor8Bytes) {
+    for (const char* end : {"", "_9", "_F R", "_a T"}) {
+        const auto parsed =
+            sil::parse_candump_line(std::string{"(0.000000) vcan0 123#1122334455667788"} + end);
+        ASSERT_TRUE(parsed.frame) << end;
+        EXPECT_EQ(parsed.frame->frame.length, 8U);
+    }
+}
 
 TEST(ParseCandumpLine, TakesNoMoreBytesThanCanFdHas) {
     const std::string longest = "(0.000000) vcan0 123##0" + std::string(128U, '1');
@@ -281,6 +293,34 @@ TEST(ReadCandumpLog, AnErrorTellsFileLineAndColumn) {
     write_text(path, "(0.010000) vcan0 120#00\n\n(0.020000) vcan0 12#00\n");
     EXPECT_EQ(error_of_reading(path),
               path.string() + ":3:18: the identifier needs 3 hexadecimal digits (standard) or 8 (extended)");
+}
+
+TEST(SiftCandumpLog, AnythingButADataFrameCostsItsLineAndIsCounted) {
+    const std::string good = "(0.010000) can0 120#00\n";
+    const auto log = sil::sift_candump_log(good + "(0.020000) can0 20000080#0000000000000000\n" + good +
+                                           "(0.020000) can0 120#R8\n(0.020000) can0 18FEF100#r\n" + good +
+                                           "DROPCOUNT: dropped 5 CAN frames on 'can0' socket\n" +
+                                           "(0.030000) can0 00123#81:00:12345678#1122\n\n" + good);
+    ASSERT_EQ(log.frames.size(), 4U);
+    EXPECT_EQ(log.frames[3].line, 10U);
+    EXPECT_EQ(log.left_out.error_frames, 1U);
+    EXPECT_EQ(log.left_out.remote_frames, 2U);
+    EXPECT_EQ(log.left_out.wrong, 2U);
+    EXPECT_EQ(log.left_out.text("a.log"),
+              "a.log: left out: 1 error frames; 2 remote frames; 2 lines that are no frames, the first "
+              "a.log:7:1: expected '(' and the time, as in (0.010000) vcan0 123#AABB\n");
+}
+
+TEST(SiftCandumpLog, AnIdentifierBeyondThatOfAnErrorFrameIsWrong) {
+    const auto log = sil::sift_candump_log("(0.010000) can0 820#00\n(0.010000) can0 4FFFFFFF#00\n");
+    EXPECT_EQ(log.left_out.wrong, 2U);
+    EXPECT_EQ(log.left_out.error_frames, 0U);
+}
+
+TEST(SiftCandumpLog, NothingIsSaidOfAWholeLog) {
+    const auto log = sil::sift_candump_log("(0.010000) can0 120#00\n");
+    EXPECT_EQ(log.frames.size(), 1U);
+    EXPECT_EQ(log.left_out.text("a.log"), "");
 }
 
 TEST(ReadCandumpLog, AMissingFileAFolderAndAnEmptyFileAreTold) {

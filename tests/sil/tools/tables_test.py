@@ -56,6 +56,93 @@ class Tables(drive_support.WithDrives):
             self.assertEqual(self.replay(drive), warnings, arguments)
             self.assertIn("304 rows over 3.03 s; none missing", said)
 
+    def recorded_by(self, head, separator=",", comma=False, quoted=False, last="", between=lambda number: ""):
+        """The run as another recorder's file: `head` stands before the rows, the columns are those of COLUMNS."""
+        lines = []
+        for number, row in enumerate(foreign_recorder.rows(self.run_folder)):
+            fields = [f"{row['time_s']:.3f}"] + [f"{row[source] * factor:.6f}" for source, factor in COLUMNS.values()]
+            fields = [field.replace(".", ",") if comma else f'"{field}"' if quoted else field for field in fields]
+            lines.append(between(number) + separator.join(fields) + last + "\n")
+        file = self.folder / "recorded.csv"
+        file.write_text(head + "".join(lines), encoding="cp1252")
+        return file
+
+    def drafted(self, file, names):
+        """The draft's mapping, answered with these signals and their signs; also that it was not far from that."""
+        draft = self.folder / "drafted.toml"
+        draft.unlink(missing_ok=True)
+        self.logs("draft", "--log", file, "--output", draft)
+        text = draft.read_text(encoding="utf-8")
+        time = re.search(r'^\[time\]\nsignal = "(.*)"$', text, re.MULTILINE)[1]
+        found = [name for name in names.values() if f'"{name}"' in text]
+        mapping = f'[time]\nsignal = "{time}"\nunit = "s"\n' + "".join(
+            f'[{quantity}]\nsignal = "{name}"\n' + ("sign = -1\n" if quantity == "roll_angle" else "")
+            for quantity, name in names.items())
+        return found, mapping
+
+    def expect_drive(self, file, mapping):
+        drive, _ = self.drive(file, dbc=None, mapping=self.mapping(mapping))
+        self.assertEqual(self.replay(drive), self.replay(self.original))
+
+    QUANTITIES = ("lateral_acceleration", "roll_rate", "roll_angle", "speed", "yaw_rate", "vertical_acceleration",
+                  "steering_wheel_angle")
+    ENGLISH = ("Lateral Acceleration", "Roll Rate", "Roll Angle", "Ground Speed", "Yaw Rate", "Vertical Acceleration", "Steer Angle")
+    SHORT_UNITS = ("G", "rad/s", "deg", "km/h", "deg/s", "m/s^2", "deg")
+
+    def test_remarks_of_laps_between_the_rows(self):
+        names = [f"{name} ({unit})" for name, unit in zip(self.ENGLISH, self.SHORT_UNITS)]
+        file = self.recorded_by("# RaceRender Data: made by a test\n# Space: 1 MB, 2 files\n" + '"Time",'
+                                + ",".join(f'"{name}"' for name in names) + "\n",
+                                between=lambda number: f"# Lap {number // 100}: 00:00:01.000\n" if number % 100 == 50 else "")
+        found, mapping = self.drafted(file, dict(zip(self.QUANTITIES, names)))
+        self.assertEqual(found, names)
+        self.expect_drive(file, mapping)
+
+    def test_names_below_other_lines_and_units_below_the_names(self):
+        head = ('"Format","A test",,,"Workbook",""\n"Venue","Road",,,"Time","10:00"\n"Sample Rate","100.000",,,"Duration","3.04"\n'
+                '"Driver","A",,,,,,\n"Segment","B","C","D","E","F","G","H"\n\n'
+                + ",".join(f'"{name}"' for name in ("Time", *self.ENGLISH)) + "\n"
+                + ",".join(f'"{unit}"' for unit in ("s", *self.SHORT_UNITS)) + '\n"","","","","","","",""\n\n')
+        file = self.recorded_by(head, quoted=True)
+        found, mapping = self.drafted(file, dict(zip(self.QUANTITIES, self.ENGLISH)))
+        self.assertEqual(found, list(self.ENGLISH))
+        self.expect_drive(file, mapping)
+
+    def test_names_with_unit_range_and_rate(self):
+        head = '"Interval"|"s"|0|0|1,' + ",".join(f'"{name}"|"{unit}"|-3.0|3.0|25'
+                                                  for name, unit in zip(self.ENGLISH, self.SHORT_UNITS)) + "\n"
+        file = self.recorded_by(head)
+        found, mapping = self.drafted(file, dict(zip(self.QUANTITIES, self.ENGLISH)))
+        self.assertEqual(found, list(self.ENGLISH))
+        self.expect_drive(file, mapping)
+
+    def test_a_german_table(self):
+        names = ("Querbeschleunigung", "Wankrate", "Wankwinkel", "Fahrzeuggeschwindigkeit", "Gierrate", "Vertikalbeschleunigung",
+                 "Lenkradwinkel")
+        head = ("Messung vom 3. Mai, Fahrer: A, Wagen: leer\n" + ";".join(("Zeit", *names)) + ";\n"
+                + ";".join(("s", "g", "rad/s", "\u00b0", "km/h", "\u00b0/s", "m/s\u00b2", "\u00b0")) + ";\n")
+        file = self.recorded_by(head, separator=";", comma=True, last=";")
+        found, mapping = self.drafted(file, dict(zip(self.QUANTITIES, names)))
+        self.assertEqual(found, list(names))
+        self.expect_drive(file, mapping)
+
+    def test_a_file_without_a_quantity_is_refused(self):
+        draft = self.folder / "none.toml"
+
+        def refused(expected, text):
+            file = self.folder / "other.csv"
+            file.write_text(text, encoding="utf-8")
+            self.refused(f"{file}{expected}", "draft", "--log", file, "--output", draft)
+            self.assertFalse(draft.exists())
+
+        refused(": none of its 3 signals has the name of a quantity of a drive; ", "time_s,alpha,beta\n0.0,1,2\n0.1,1,2\n")
+        refused(":1: no line of the first 200 names columns of which rows of numbers follow", "a,b\nc,d\n")
+        refused(":1: no line of the first 200 names columns of which rows of numbers follow", "0,1\n2,3\n")
+        refused(":1: no line of the first 200 names columns of which rows of numbers follow", "some words\n")
+        refused(": holds frames (TRC), so your DBC file is needed: --dbc FILE", ";$FILEVERSION=1.1\n1) 0.1 Rx 0120 1 00\n")
+        refused(": holds frames (CSV of frames), so your DBC file is needed: --dbc FILE",
+                "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n100,00000120,false,Rx,0,1,00,\n")
+
     def test_time_before_a_trigger_is_negative(self):
         table = self.table(change=lambda line: re.sub(r"^[\d.]+", lambda time: f"{float(time[0]) - 1000.0:.1f}", line))
         drive, _ = self.drive(table, dbc=None, mapping=self.mapping(MAPPING))
