@@ -168,7 +168,11 @@ class Ecu {
         diagnosis_->start(is_switched_on);
     }
     void start_plain(const rsi::Parameters& parameters, DiagnosisAccess* access) {
-        if ((access != nullptr) && access->store().restore()) {
+        const bool is_downloaded = (access != nullptr) && access->store().restore();
+        if (access != nullptr) {
+            plain_->report_stored_section(access->store().refusal());
+        }
+        if (is_downloaded) {
             require_accepted(plain_->init(access->store().section(), access->store().length()).validation);
             fmt::print("rsi-ecu: starts with the parameters that were downloaded\n");
         } else {

@@ -291,6 +291,15 @@ TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     storage_.record()[5] ^= 0x10U;
     restart();
     EXPECT_EQ(wait_for_seed(), longest_delay);
+    for (const std::size_t length : {std::size_t{5U}, rsi::access::stored_count_length + 1U}) {
+        storage_.record().resize(length);
+        restart();
+        EXPECT_EQ(wait_for_seed(), longest_delay) << length;
+    }
+    storage_.set_unreadable(true);
+    restart();
+    EXPECT_EQ(wait_for_seed(), longest_delay);
+    storage_.set_unreadable(false);
     for (const std::uint32_t impossible : {10U, 0x80000000U, 0xFFFFFFFFU}) {
         ASSERT_TRUE(rsi::access::write_count(storage_, rsi::access::CountOf::wrong_keys, impossible));
         restart();

@@ -44,7 +44,8 @@ class CountingRandom final : public rsi::hal::RandomSource {
 struct Memories {
     rsi_test::CutStorage one{};
     rsi_test::CutStorage other{};
-    rsi_test::CutStorage section{};
+    rsi_test::CutStorage section_one{};
+    rsi_test::CutStorage section_other{};
     rsi_test::CutStorage attempts{};
 };
 
@@ -56,10 +57,12 @@ class Tester {
 
     explicit Tester(Memories& memories, bool is_new_cycle = true)
         : memories_{memories},
-          store_{memories.section},
+          section_{memories.section_one, memories.section_other},
+          store_{section_},
           access_{keys_, rsi::hal::KeySlot::diagnosis, random_, memories.attempts} {
         inputs.speed_mps = 0.0F;
         access_.start();
+        static_cast<void>(store_.restore());
         start(is_new_cycle);
     }
 
@@ -221,6 +224,7 @@ class Tester {
     rsi::hal::MemoryBus<2U> bus_{clock_};
     rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     CountingRandom random_{};
+    rsi::application::SectionRecord section_;
     rsi::diagnosis::SectionStore store_;
     rsi::access::SeedAndKey access_;
     rsi::diagnosis::Identification identification_{

@@ -25,7 +25,7 @@ constexpr std::size_t row_of(DiagnosticCode code) {
 }
 constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                    // always judged
 constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);  // in driving
-constexpr std::size_t last_row = row_of(DiagnosticCode::imu_held_back);
+constexpr std::size_t last_row = row_of(DiagnosticCode::storage_failed);
 constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
 constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);
 constexpr std::uint8_t failing = status::test_failed | status::failed_this_cycle | status::pending |
@@ -79,7 +79,7 @@ TEST_F(Troubles, AFailureSetsItsBitsAndOnlyItsOwn) {
     }
     run(1);
     EXPECT_EQ(status_of(imu), 0x2EU);
-    run(1, set_of(DiagnosticCode::imu_held_back));
+    run(1, set_of(DiagnosticCode::storage_failed));
     EXPECT_EQ(status_of(last_row), 0x2FU);
 }
 

@@ -197,7 +197,8 @@ TEST_F(UdsOrder, ARandomProberChangesNothing) {
     tester_.cycles(1000);
     EXPECT_EQ(tester_.ask({0x22U, 0xF1U, 0x90U}), Bytes({0x62U, 0xF1U, 0x90U}) + Bytes(17U, 0U));
     EXPECT_EQ(tester_.ask({0x19U, 0x02U, 0x01U}), (Bytes{0x59U, 0x02U, 0x7FU, 0xD1U, 0x20U, 0x87U, 0x2FU}));
-    EXPECT_TRUE(memories_.section.record().empty());
+    EXPECT_TRUE(memories_.section_one.record().empty());
+    EXPECT_TRUE(memories_.section_other.record().empty());
 }
 
 }  // namespace

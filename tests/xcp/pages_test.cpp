@@ -1,6 +1,8 @@
 // The pages: what is written is used from a cycle's start on, as a whole, or not at all.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "rsi/parameters.hpp"
 #include "tests/xcp/bench.hpp"
 
@@ -309,16 +311,16 @@ TEST(Store, RefusesAPageThatNoStartWouldTake) {
     bench.connect_and_unlock();
     ASSERT_TRUE(bench.write_float("warning_on", 1.3F));
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x26}));
-    EXPECT_EQ(bench.storage_.writes(), 0U);
+    EXPECT_EQ(bench.one.writes(), 0);
     EXPECT_EQ(bench.answers.size(), 1U);
 }
 
 TEST(Store, TellsOfAMemoryThatTakesNothing) {
     Bench bench;
     bench.connect_and_unlock();
-    bench.storage_.set_busy(true);
+    bench.one.refuse(true);
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x33}));
-    bench.storage_.set_busy(false);
+    bench.one.refuse(false);
     EXPECT_EQ(bench.command({0xF9, 0x01}), good);
 }
 
@@ -334,39 +336,104 @@ TEST(Store, NeedsAMemory) {
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
 }
 
-TEST(Store, ThatIsDamagedGivesWayToTheReference) {
-    Bench bench;
-    bench.connect_and_unlock();
-    ASSERT_TRUE(bench.write_float("warning_on", 0.85F));
-    ASSERT_EQ(bench.command({0xF9, 0x01}), good);
-    bench.storage_.damage(100U);
-    bench.restart();
-    EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
-}
-
-// A memory that could not be read, whatever it has left in the buffer.
-class UnreadableStorage final : public rsi::hal::Storage {
- public:
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
-        rsi::Parameters parameters = image_parameters();
-        parameters.warning_on = 0.85F;
-        std::memcpy(bytes, rsi_parameter_section, length);
-        std::memcpy(bytes + rsi::application::section::values_at +
-                        (Bench::address_of("warning_on") - map::parameters_at),
-                    &parameters.warning_on, sizeof parameters.warning_on);
-        rsi::application::section::put_checksum(bytes);
-        return false;
+// Code and frame with which the ECU reports the stored section, in the first cycle.
+struct Report {
+    explicit Report(Bench& bench) {
+        bench.cycle();
+        const rsi::application::RolloverEcu& ecu = bench.ecu().ecu();
+        has_code = ecu.diagnostic_memory().confirmed(rsi::monitoring::DiagnosticCode::stored_parameters_refused);
+        for (const rsi::hal::CanFrame& frame : bench.others) {
+            if (frame.identifier == rsi::can_dbc::RolloverWarning::identifier) {
+                sent = rsi::can_dbc::decode<rsi::can_dbc::RolloverWarning>(frame.data).value.parameters_refusal;
+            } else if (frame.identifier == rsi::can_dbc::RolloverStatus::identifier) {
+                is_invalid = rsi::can_dbc::decode<rsi::can_dbc::RolloverStatus>(frame.data).value.parameters_invalid;
+            }
+        }
     }
-    bool write(const std::uint8_t*, std::size_t) noexcept override { return false; }
+
+    bool has_code{false};
+    bool is_invalid{true};
+    rsi::can_dbc::RolloverWarning::ParametersRefusal sent{};
 };
 
-TEST(Store, ThatCannotBeReadGivesWayToTheReference) {
+using Sent = rsi::can_dbc::RolloverWarning::ParametersRefusal;
+
+void store_warning_on(Bench& bench, float value) {
+    bench.connect_and_unlock();
+    ASSERT_TRUE(bench.write_float("warning_on", value));
+    ASSERT_EQ(bench.command({0xF9, 0x01}), good);
+}
+
+TEST(Store, IsReportedWhereItIsRefused) {
     Bench bench;
-    UnreadableStorage storage;
-    rsi::application::CalibrationPages pages{bench.ecu().ecu(), rsi_parameter_section,
-                                             rsi::application::section::length, &storage};
-    EXPECT_EQ(pages.init().refusal, rsi::application::ParametersRefusal::none);
+    EXPECT_FALSE(Report{bench}.has_code) << "nothing is stored";
+    store_warning_on(bench, 0.85F);
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, 0.85F);
+    EXPECT_FALSE(Report{bench}.has_code);
+
+    bench.one.record()[100] ^= 1U;
+    bench.restart();
     EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+    const Report report{bench};
+    EXPECT_TRUE(report.has_code);
+    EXPECT_EQ(report.sent, Sent::checksum);
+    EXPECT_FALSE(report.is_invalid) << "the image's are good";
+}
+
+TEST(Store, ThatIsDamagedGivesWayToTheOneBeforeAndIsReported) {
+    Bench bench;
+    store_warning_on(bench, 0.85F);
+    store_warning_on(bench, 0.86F);
+    bench.other.record()[100] ^= 1U;
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, 0.85F);
+    EXPECT_TRUE(Report{bench}.has_code);
+    store_warning_on(bench, 0.87F);
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, 0.87F);
+    EXPECT_FALSE(Report{bench}.has_code) << "the damaged one has been replaced";
+}
+
+TEST(Store, OfOtherSoftwareIsReportedWithTheReason) {
+    const auto report = [](std::size_t byte) {
+        rsi::application::SectionBytes bytes{};
+        std::copy_n(rsi_parameter_section, rsi::application::section::length, bytes.begin());
+        bytes[byte] ^= 0x80U;
+        rsi::application::section::put_checksum(bytes.data());
+        Bench bench;
+        rsi::application::SectionRecord record{bench.one, bench.other};
+        EXPECT_TRUE(record.write(bytes));
+        bench.restart();
+        const Report found{bench};
+        EXPECT_TRUE(found.has_code);
+        EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+        return found.sent;
+    };
+    EXPECT_EQ(report(rsi::application::section::version_at), Sent::version);
+    EXPECT_EQ(report(rsi::application::section::layout_at), Sent::layout);
+    EXPECT_EQ(report(rsi::application::section::values_at + 3U), Sent::value);
+}
+
+TEST(Store, ThatCannotBeReadGivesWayToTheReferenceAndIsReported) {
+    Bench bench;
+    store_warning_on(bench, 0.85F);
+    bench.one.set_unreadable(true);
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+    EXPECT_EQ(Report{bench}.sent, Sent::checksum);
+}
+
+// The image's own refusal is the one that makes the function unavailable.
+TEST(Store, ThatIsRefusedYieldsInTheFrameToARefusedReference) {
+    Bench bench;
+    bench.one.set_unreadable(true);
+    bench.reference[0] = 0U;
+    bench.restart();
+    const Report report{bench};
+    EXPECT_TRUE(report.has_code);
+    EXPECT_TRUE(report.is_invalid);
+    EXPECT_EQ(report.sent, Sent::missing);
 }
 
 // An image whose parameters contradict each other can be calibrated to work.

@@ -58,19 +58,37 @@ constexpr xcp::Target::Range name_range{map::name_at, static_cast<std::uint32_t>
 }  // namespace
 
 ParameterSectionAnswer CalibrationPages::init() noexcept {
-    if ((storage_ != nullptr) && storage_->read(working_.data(), working_.size())) {
-        const ParameterSectionAnswer stored = ecu_.init(working_.data(), working_.size());
-        if (stored.refusal == ParametersRefusal::none) {
-            is_usable_ = true;
-            return stored;
-        }
+    ParameterSectionAnswer answer{ParametersRefusal::missing, rsi::Validation{0, "", ""}};
+    if (start_with_stored(answer)) {
+        is_usable_ = true;
+        return answer;
     }
-    const ParameterSectionAnswer answer = ecu_.init(reference_, reference_length_);
+    answer = ecu_.init(reference_, reference_length_);
     is_usable_ = (answer.refusal == ParametersRefusal::none) || (answer.refusal == ParametersRefusal::value);
     if (is_usable_) {
         std::memcpy(working_.data(), reference_, working_.size());
     }
     return answer;
+}
+
+// False where no good section is stored.
+bool CalibrationPages::start_with_stored(ParameterSectionAnswer& answer) noexcept {
+    if (stored_ == nullptr) {
+        return false;
+    }
+    SectionBytes bytes{};
+    const RecordState state = stored_->read(bytes);
+    ecu_.report_stored_section(refusal_of(state));
+    if ((state != RecordState::good) && (state != RecordState::doubtful)) {
+        return false;
+    }
+    answer = ecu_.init(bytes.data(), section::length);
+    if (answer.refusal != ParametersRefusal::none) {
+        ecu_.report_stored_section(answer.refusal);
+        return false;
+    }
+    std::memcpy(working_.data(), bytes.data(), working_.size());
+    return true;
 }
 
 void CalibrationPages::go_on() noexcept {
@@ -199,13 +217,15 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
 xcp::Error CalibrationPages::store() noexcept {
     section::put_checksum(working_.data());
     rsi::Parameters unused{};
-    if (!is_usable_ || (storage_ == nullptr)) {
+    if (!is_usable_ || (stored_ == nullptr)) {
         return xcp::Error::access_denied;
     }
     if (read_parameter_section(working_.data(), working_.size(), unused).refusal != ParametersRefusal::none) {
         return xcp::Error::page_not_valid;
     }
-    const bool taken = storage_->write(working_.data(), working_.size());
+    SectionBytes bytes{};
+    std::memcpy(bytes.data(), working_.data(), working_.size());
+    const bool taken = stored_->write(bytes);
     return taken ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
 }
 

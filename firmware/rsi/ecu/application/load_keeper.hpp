@@ -4,11 +4,13 @@
 #include <cstdint>
 
 #include "rsi/component.hpp"
+#include "rsi/ecu/application/write_pace.hpp"
 #include "rsi/hal/storage.hpp"
 
 namespace rsi::application {
 
-// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear.
+// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear. A memory
+// that refuses it is tried at a pace of its own.
 class LoadKeeper {
  public:
     // `storage` must outlive the keeper. Without one nothing is kept.
@@ -25,10 +27,15 @@ class LoadKeeper {
     // One cycle.
     void keep(const rsi::LearntLoad& learnt) noexcept;
 
+    // The memory has refused a record for some time, or had one at the start that it did not give.
+    bool is_failing() const noexcept { return was_unreadable_ || pace_.is_failing(); }
+
  private:
     hal::Storage* storage_{nullptr};
     std::uint32_t parameters_check_word_{0U};
     std::uint32_t cycles_since_store_{0U};
+    WritePace pace_{};
+    bool was_unreadable_{false};
     rsi::LearntLoad stored_{};
 };
 

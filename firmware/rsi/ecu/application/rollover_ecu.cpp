@@ -185,7 +185,9 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
 
 void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {
     using monitoring::DiagnosticCode;
-    memory_.report(DiagnosticCode::parameters_refused, health.parameters_refusal != ParametersRefusal::none);
+    memory_.report(DiagnosticCode::parameters_refused, health.parameters_invalid);
+    memory_.report(DiagnosticCode::stored_parameters_refused, stored_refusal_ != ParametersRefusal::none);
+    memory_.report(DiagnosticCode::storage_failed, is_storage_failing_ || load_keeper_.is_failing());
     memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
     memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
     memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));
@@ -196,7 +198,9 @@ void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
     hal::count_up(cycle_overruns_, missed_cycles);
     const hal::BusStatistics statistics = bus_.statistics();
-    return Health{refusal_,
+    const bool is_refused = (refusal_ != ParametersRefusal::none);
+    return Health{is_refused ? refusal_ : stored_refusal_,
+                  is_refused,
                   receive_overflow(statistics),
                   bus_error(statistics),
                   missed_cycles > 0U,

@@ -65,6 +65,15 @@ class RolloverEcu {
     // outlive the ECU.
     void use_storage(hal::Storage& storage) noexcept { load_keeper_.use(storage); }
 
+    // Before the first cycle, on a platform that can store a section: `refusal` is the reason for which the
+    // stored one is not used, though the ECU runs on the image's; `none`: nothing is stored, or all is well.
+    // Sets the code stored_parameters_refused, and is sent as ParametersRefusal.
+    void report_stored_section(ParametersRefusal refusal) noexcept { stored_refusal_ = refusal; }
+
+    // Each cycle, on a platform that stores more than the load: a memory takes no record, or has lost one.
+    // Sets the code storage_failed, as the memory of the load does.
+    void report_storage(bool is_failing) noexcept { is_storage_failing_ = is_failing; }
+
     // For XCP and diagnosis on the same bus: `listener` gets all received frames except those of the sensors,
     // and must outlive the ECU. False: there are two listeners already.
     bool add_listener(hal::FrameListener& listener) noexcept { return reception_.add_listener(listener); }
@@ -123,8 +132,10 @@ class RolloverEcu {
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
+    ParametersRefusal stored_refusal_{ParametersRefusal::none};
     bool has_test_keys_{false};
     bool is_sending_{true};
+    bool is_storage_failing_{false};
     Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     hal::Time cycle_shift_{};

@@ -73,7 +73,9 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
     using monitoring::set_of;
     const std::uint32_t found =
         std::uint32_t{
-            bit_where(failed, set_of(DiagnosticCode::parameters_refused, DiagnosticCode::parameters_damaged),
+            bit_where(failed,
+                      set_of(DiagnosticCode::parameters_refused, DiagnosticCode::parameters_damaged,
+                             DiagnosticCode::stored_parameters_refused),
                       self_test::parameters)} |
         bit_where(failed, set_of(DiagnosticCode::memory_restored), self_test::memory) |
         bit_where(failed, set_of(DiagnosticCode::estimate_out_of_range, DiagnosticCode::output_not_finite),
