@@ -50,7 +50,8 @@ class NvFile final : public rsi::hal::Storage {
 class CalibrationAccess {
  public:
     // `folder`: where the stored section and the count of wrong keys are kept; empty: in memory only.
-    CalibrationAccess(const rsi::Parameters& parameters, const std::filesystem::path& folder);
+    CalibrationAccess(const rsi::Parameters& parameters, const std::string& name,
+                      const std::filesystem::path& folder);
     CalibrationAccess(const CalibrationAccess&) = delete;
     CalibrationAccess& operator=(const CalibrationAccess&) = delete;
 

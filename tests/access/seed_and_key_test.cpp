@@ -286,6 +286,20 @@ TEST_F(Access, UnlocksAlsoWhereTheGoodKeyCannotBeStoredAndThenStaysStrict) {
     EXPECT_EQ(give_wrong_key(), KeyAnswer::too_many_attempts);  // the two before are still counted
 }
 
+// Each costs its storage two writes.
+TEST_F(Access, IsUnlockedAHundredTimesInAStart) {
+    for (std::uint32_t time = 0U; time < SeedAndKey::most_unlocks; ++time) {
+        ASSERT_EQ(give_good_key(), KeyAnswer::unlocked) << time;
+    }
+    Block block{};
+    EXPECT_FALSE(lock_->give_seed(block));
+    EXPECT_FALSE(lock_->is_delayed());
+    restart();
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+    lock_->start();
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+}
+
 TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     give_wrong_key();
     storage_.record()[5] ^= 0x10U;

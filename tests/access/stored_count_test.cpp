@@ -62,7 +62,8 @@ TEST(AStoredCount, IsDamagedWithAnyBitFlippedErasedOrUnderAnotherTag) {
 // Only what was never written counts as new: a record that cannot be read may have counted anything.
 TEST(AStoredCount, IsDamagedWhereTheMemoryDoesNotGiveItOrGivesOneOfAnotherLength) {
     std::uint32_t count = 77U;
-    for (const std::size_t length : {std::size_t{1U}, std::size_t{5U}, rsi::access::stored_count_length + 1U}) {
+    for (const std::size_t length :
+         {std::size_t{1U}, std::size_t{5U}, rsi::access::stored_count_length + 1U}) {
         CutStorage storage;
         storage.record().assign(length, 0U);
         EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::damaged) << length;

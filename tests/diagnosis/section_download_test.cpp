@@ -119,7 +119,7 @@ TEST_F(Download, ABadSectionIsRefusedWithItsReasonAndTheOldOneStays) {
     EXPECT_EQ(stored(), good_section());
 }
 
-// Interrupted at every byte: by the end of the session, a new request, or silence.
+// Interrupted at every byte: by the end of the session, another request, or silence.
 TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     transfer(good_section());
     check();
@@ -128,6 +128,11 @@ TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     rsi::application::put_u32(other.data(), section_length - 4U,
                               rsi::application::crc32(other.data(), section_length - 4U));
     for (std::size_t sent = 0U; sent < section_length; ++sent) {
+        if (sent % 40U == 0U) {  // a start takes a limited number of downloads and keys
+            tester_.~Tester();
+            new (&tester_) Tester{memories_};
+        }
+        tester_.unlock(0x02U);
         ASSERT_EQ(request_download()[0], 0x74U);
         unsigned number = 1U;
         for (std::size_t at = 0U; at < sent; at += 128U) {
@@ -178,6 +183,57 @@ TEST_F(Download, TheRequestIsChecked) {
     EXPECT_EQ(ask({0x34U, 0x00U, 0x44U, 0U, 0U, 0U, 0U, 0U, 0U, 0x01U, 0x5CU})[0], 0x74U);
     static_assert(section_length == 0x15CU);
     tester_.inputs.speed_mps = 3.0F;
+    EXPECT_EQ(request_download(), no(0x34U, 0x22U));
+    EXPECT_EQ(ask({0x34U, 0x00U}), no(0x34U, 0x13U)) << "the request before the conditions";
+    EXPECT_EQ(request_download(section_length + 1U), no(0x34U, 0x31U));
+}
+
+TEST_F(Download, ThatIsOnItsWayIsNotBegunAnew) {
+    ASSERT_EQ(request_download()[0], 0x74U);
+    ASSERT_EQ(request_download()[0], 0x74U) << "its answer may have been lost";
+    ASSERT_EQ(block(1U, {1U})[0], 0x76U);
+    EXPECT_EQ(request_download(), no(0x34U, 0x22U));
+    EXPECT_EQ(block(2U, {1U})[0], 0x76U) << "it goes on";
+    tester_.unlock(0x02U);
+    transfer(good_section());
+    transfer(good_section());
+    EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none)) << "a whole one is not on its way";
+}
+
+// With the key, and begun at rest.
+TEST_F(Download, GoesOnAtRestOnly) {
+    const auto drive = [&](float speed_mps) { tester_.inputs.speed_mps = speed_mps; };
+    ASSERT_EQ(request_download()[0], 0x74U);
+    drive(20.0F);
+    EXPECT_EQ(block(1U, {1U}), no(0x36U, 0x22U));
+    drive(0.0F);
+    tester_.unlock(0x02U);
+    transfer(good_section());
+    drive(20.0F);
+    EXPECT_EQ(ask({0x37U}), no(0x37U, 0x22U));
+    EXPECT_EQ(check(), no(0x31U, 0x22U));
+    EXPECT_TRUE(stored().empty());
+    drive(0.0F);
+    EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none));
+}
+
+// While the memory is busy the vehicle starts.
+TEST_F(Download, IsNotStoredOnceTheVehicleMoves) {
+    transfer(good_section());
+    refuse(true);
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U));
+    tester_.inputs.speed_mps = 20.0F;
+    refuse(false);
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x22U));
+    EXPECT_TRUE(stored().empty());
+}
+
+// Each may be stored: no more than a memory lasts for.
+TEST_F(Download, IsTakenAHundredTimesInAnOperationCycle) {
+    for (int time = 0; time < 100; ++time) {
+        ASSERT_EQ(request_download()[0], 0x74U) << time;
+    }
     EXPECT_EQ(request_download(), no(0x34U, 0x22U));
 }
 
@@ -333,7 +389,8 @@ TEST(StoredSection, FlippedGivesWayToTheOneBeforeAndIsReported) {
 }
 
 TEST(StoredSection, CutOrUnreadableIsReported) {
-    for (const std::size_t length : {std::size_t{1U}, section_length, rsi::application::SectionRecord::length + 1U}) {
+    for (const std::size_t length :
+         {std::size_t{1U}, section_length, rsi::application::SectionRecord::length + 1U}) {
         Memories memories;
         memories.section_one.record() = Bytes(length, 0x5AU);
         const Start start{memories};
@@ -373,7 +430,8 @@ TEST(SectionDownload, IsNotAcceptedWithoutATarget) {
     rsi::diagnosis::SectionDownload download;
     rsi::diagnosis::Response response;
     const Bytes request{0x34U, 0x00U, 0x11U, 0U, 1U};
-    EXPECT_EQ(download.begin({request.data(), request.size(), false}, response), Nrc::download_not_accepted);
+    EXPECT_EQ(download.begin({request.data(), request.size(), false}, true, response),
+              Nrc::download_not_accepted);
 }
 
 // A target that does what its interface says and no more.
@@ -403,7 +461,7 @@ TEST(SectionDownload, PutsEachByteOnceAndNoneBehindTheLast) {
     const Bytes first{0x36U, 1U, 10U, 11U, 12U, 13U, 14U, 15U};
     const Bytes second{0x36U, 2U, 16U, 17U, 18U, 19U};
     const Bytes exit{0x37U};
-    ASSERT_EQ(download.begin(ask(request), response), Nrc::none);
+    ASSERT_EQ(download.begin(ask(request), true, response), Nrc::none);
     EXPECT_EQ(download.transfer(ask(first), response), Nrc::none);
     EXPECT_EQ(download.transfer(ask(second), response), Nrc::none);
     EXPECT_EQ(download.end(ask(exit)), Nrc::none);

@@ -78,6 +78,7 @@ class Tester {
     // Parts of the ECU.
     rsi::Inputs inputs{};
     rsi::Outputs outputs{};
+    rsi::application::CalibrationIdentity calibration{};
     rsi::monitoring::Snapshot measured{};
 
     void fail(DiagnosticCode code) { failing_ |= rsi::monitoring::set_of(code); }
@@ -92,7 +93,7 @@ class Tester {
         for (std::size_t code = 1U; code < rsi::monitoring::diagnostic_code_count; ++code) {
             monitoring_.report(static_cast<DiagnosticCode>(code), ((failing_ >> code) & 1U) != 0U);
         }
-        diagnosis_->step(monitoring_, inputs, outputs);
+        diagnosis_->step(monitoring_, inputs, outputs, calibration);
         clock_.set(clock_.now() + rsi::hal::Time::from_milliseconds(10));
     }
     void cycles(int count) {

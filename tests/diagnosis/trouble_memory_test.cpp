@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace testing_diagnosis {
 namespace {
@@ -91,9 +93,37 @@ TEST_F(Troubles, EachFailureIsCountedOnceAndTheCountStands) {
         run(1, imu_failed);
     }
     EXPECT_EQ(memory_.state(imu).occurrences, 255U);
+    memory_.stored();
     run(1);
     run(1, imu_failed);
     EXPECT_EQ(memory_.state(imu).occurrences, 255U);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed) << "nothing that counts further";
+    memory_.start(true);
+    memory_.stored();
+    run(1, imu_failed);
+    EXPECT_EQ(memory_.storing(), Storing::now) << "the first of an operation cycle";
+}
+
+// In the place of a 63rd code, which earlier software has written as one that never failed.
+TEST_F(Troubles, ResetsAreCountedOverStartsAndNotOverOperationCycles) {
+    for (unsigned reset = 0U; reset < TroubleMemory::most_resets; ++reset) {
+        EXPECT_TRUE(memory_.takes_reset());
+        memory_.stored();
+        memory_.count_reset();
+        EXPECT_EQ(memory_.storing(), Storing::now);
+        memory_.start(false);
+    }
+    EXPECT_FALSE(memory_.takes_reset());
+    TroubleMemory other;
+    other.restore(memory_.stored_data());
+    other.start(false);
+    EXPECT_FALSE(other.takes_reset());
+    other.start(true);
+    EXPECT_TRUE(other.takes_reset());
+
+    const TroubleMemory::Stored fresh{};
+    const auto* const bytes = static_cast<const std::uint8_t*>(static_cast<const void*>(&fresh));
+    EXPECT_EQ(std::vector<std::uint8_t>(bytes + 186U, bytes + 189U), (std::vector<std::uint8_t>{0x50U, 0U, 0U}));
 }
 
 // Without a failure for three seconds; what needs driving, after a minute of it.

@@ -141,7 +141,7 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(programs.protection(), "unsealed test keys")
             tester = self.workshop()
             tester.codes_with(IMU_LOST, FAILS_NOW | CONFIRMED)
-            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x33))
+            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x7F))
             self.assertEqual(tester.ask(0x27, 0x01), refused(0x27, 0x7F))
             self.assertEqual(tester.ask(0x10, EXTENDED), bytes.fromhex("5003003201F4"))
             self.assertEqual(len(tester.ask(0x27, 0x01)), 18)

@@ -341,12 +341,15 @@ struct Report {
     explicit Report(Bench& bench) {
         bench.cycle();
         const rsi::application::RolloverEcu& ecu = bench.ecu().ecu();
-        has_code = ecu.diagnostic_memory().confirmed(rsi::monitoring::DiagnosticCode::stored_parameters_refused);
+        has_code =
+            ecu.diagnostic_memory().confirmed(rsi::monitoring::DiagnosticCode::stored_parameters_refused);
         for (const rsi::hal::CanFrame& frame : bench.others) {
             if (frame.identifier == rsi::can_dbc::RolloverWarning::identifier) {
-                sent = rsi::can_dbc::decode<rsi::can_dbc::RolloverWarning>(frame.data).value.parameters_refusal;
+                sent =
+                    rsi::can_dbc::decode<rsi::can_dbc::RolloverWarning>(frame.data).value.parameters_refusal;
             } else if (frame.identifier == rsi::can_dbc::RolloverStatus::identifier) {
-                is_invalid = rsi::can_dbc::decode<rsi::can_dbc::RolloverStatus>(frame.data).value.parameters_invalid;
+                is_invalid =
+                    rsi::can_dbc::decode<rsi::can_dbc::RolloverStatus>(frame.data).value.parameters_invalid;
             }
         }
     }
@@ -362,6 +365,54 @@ void store_warning_on(Bench& bench, float value) {
     bench.connect_and_unlock();
     ASSERT_TRUE(bench.write_float("warning_on", value));
     ASSERT_EQ(bench.command({0xF9, 0x01}), good);
+}
+
+TEST(Store, IsTakenAHundredTimesInAStart) {
+    Bench bench;
+    bench.connect_and_unlock();
+    for (int time = 0; time < 100; ++time) {
+        ASSERT_EQ(bench.command({0xF9, 0x01}), good) << time;
+    }
+    EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
+    EXPECT_EQ(bench.one.writes() + bench.other.writes(), 100);
+    bench.restart();
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.command({0xF9, 0x01}), good);
+}
+
+// Its checksum is the one that XCP computes, before and after a change.
+TEST(CalibrationInUse, HasTheNameOfItsSectionAndTheChecksumOfItsValues) {
+    Bench bench;
+    bench.reference[rsi::application::section::name_at] = 'X';
+    rsi::application::section::put_checksum(bench.reference.data());
+    bench.restart();
+    bench.connect_and_unlock();
+    const auto checksum_of_xcp = [&] {
+        EXPECT_TRUE(bench.set_address(map::parameters_at));
+        const Bytes answer = bench.command(Bench::with_word({0xF3, 0, 0, 0}, map::parameters_length));
+        return answer.at(4U) | answer.at(5U) << 8U | answer.at(6U) << 16U |
+               static_cast<std::uint32_t>(answer.at(7U)) << 24U;
+    };
+    const auto in_use = [&]() -> const rsi::application::CalibrationIdentity& {
+        return bench.ecu().ecu().calibration();
+    };
+    const std::uint32_t before = checksum_of_xcp();
+    EXPECT_EQ(in_use().checksum, before);
+    EXPECT_EQ(in_use().name[0], 'X');
+    EXPECT_TRUE(std::equal(in_use().name.begin(), in_use().name.end(),
+                           bench.reference.begin() + rsi::application::section::name_at));
+    ASSERT_TRUE(bench.write_float("warning_on", 0.85F));
+    bench.cycles(2);
+    EXPECT_NE(checksum_of_xcp(), before);
+    EXPECT_EQ(in_use().checksum, checksum_of_xcp());
+
+    bench.ecu().ecu().init(image_parameters());
+    EXPECT_EQ(in_use().checksum, before);
+    EXPECT_EQ(in_use().name[0], 0U) << "it is of no section";
+    bench.restart();
+    EXPECT_EQ(in_use().name[0], 'X');
+    bench.ecu().ecu().init(bench.reference.data(), 10U);
+    EXPECT_EQ(in_use().name[0], 0U) << "one that is refused";
 }
 
 TEST(Store, IsReportedWhereItIsRefused) {

@@ -33,7 +33,8 @@ CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count)
         return CountState::absent;
     }
     const std::uint32_t read = u32_at(record, count_at);
-    if ((reading != hal::Reading::stored) || (u32_at(record, 0U) != static_cast<std::uint32_t>(what)) || (u32_at(record, inverted_at) != ~read)) {
+    if ((reading != hal::Reading::stored) || (u32_at(record, 0U) != static_cast<std::uint32_t>(what)) ||
+        (u32_at(record, inverted_at) != ~read)) {
         return CountState::damaged;
     }
     count = read;

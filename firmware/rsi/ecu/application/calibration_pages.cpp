@@ -213,11 +213,11 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     return xcp::Error::none;
 }
 
-// Stores only a section that the next start would accept.
+// Stores only a section that the next start would accept, and only so often that the memory lasts.
 xcp::Error CalibrationPages::store() noexcept {
     section::put_checksum(working_.data());
     rsi::Parameters unused{};
-    if (!is_usable_ || (stored_ == nullptr)) {
+    if (!is_usable_ || (stored_ == nullptr) || (stores_left_ == 0U)) {
         return xcp::Error::access_denied;
     }
     if (read_parameter_section(working_.data(), working_.size(), unused).refusal != ParametersRefusal::none) {
@@ -226,6 +226,7 @@ xcp::Error CalibrationPages::store() noexcept {
     SectionBytes bytes{};
     std::memcpy(bytes.data(), working_.data(), working_.size());
     const bool taken = stored_->write(bytes);
+    stores_left_ -= taken ? 1U : 0U;
     return taken ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
 }
 

@@ -67,6 +67,7 @@ class CalibrationPages final : public xcp::Target {
     Range name() const noexcept override;
 
  private:
+    static constexpr std::uint32_t most_stores = 100U;  // of a start
     using Section = std::array<std::uint8_t, section::length>;
 
     bool start_with_stored(ParameterSectionAnswer& answer) noexcept;
@@ -87,6 +88,7 @@ class CalibrationPages final : public xcp::Target {
     bool is_changing_{false};
     std::uint8_t refused_field_{0U};  // 0: none, else 1 + index in parameter_fields, then selection_fields
     std::uint32_t changes_{0U};       // taken over since the start
+    std::uint32_t stores_left_{most_stores};
     std::array<std::uint8_t, 4> piece_{};  // of a value that is incomplete
     std::uint32_t piece_ends_at_{0U};      // offset from parameters_at; a multiple of 4: no incomplete value
 };

@@ -21,11 +21,11 @@ void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& comp
     stored_ = component.learnt_load();
     LoadRecord record{};
     rsi::LearntLoad read{};
-    const hal::Reading reading = (storage_ == nullptr) ? hal::Reading::never_written
-                                                       : storage_->read(record.data(), record.size());
+    const hal::Reading reading =
+        (storage_ == nullptr) ? hal::Reading::never_written : storage_->read(record.data(), record.size());
     was_unreadable_ = (reading == hal::Reading::unreadable);
-    if ((reading == hal::Reading::stored) &&
-        read_load_record(record, parameters_check_word_, read) && component.restore_load(read, doubted)) {
+    if ((reading == hal::Reading::stored) && read_load_record(record, parameters_check_word_, read) &&
+        component.restore_load(read, doubted)) {
         stored_ = read;
     }
 }

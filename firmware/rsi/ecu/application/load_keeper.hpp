@@ -9,8 +9,8 @@
 
 namespace rsi::application {
 
-// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear. A memory
-// that refuses it is tried at a pace of its own.
+// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear. A
+// memory that refuses it is tried at a pace of its own.
 class LoadKeeper {
  public:
     // `storage` must outlive the keeper. Without one nothing is kept.
@@ -26,6 +26,9 @@ class LoadKeeper {
 
     // One cycle.
     void keep(const rsi::LearntLoad& learnt) noexcept;
+
+    // Of the parameters for which it keeps loads.
+    std::uint32_t parameters_check_word() const noexcept { return parameters_check_word_; }
 
     // The memory has refused a record for some time, or had one at the start that it did not give.
     bool is_failing() const noexcept { return was_unreadable_ || pace_.is_failing(); }

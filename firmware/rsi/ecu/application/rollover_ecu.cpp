@@ -1,5 +1,7 @@
 #include "rsi/ecu/application/rollover_ecu.hpp"
 
+#include <cstring>
+
 #include "rsi/ecu/monitoring/output_check.hpp"
 #include "rsi/hal/saturating_count.hpp"
 
@@ -28,6 +30,7 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
     parameters_ = parameters;
+    calibration_.name = {};
     start_checks();
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
@@ -37,7 +40,7 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
     parameters_ = rsi::Parameters{};  // all zeros: the component refuses them if the section is bad
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
-    start_component(answer);
+    start_component(section, answer);
     protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
     return answer;
 }
@@ -46,7 +49,7 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
                                          SectionAuthority& authority) noexcept {
     parameters_ = rsi::Parameters{};
     const ParameterSectionAnswer answer = read_parameter_section(section, length, authority, parameters_);
-    start_component(answer);
+    start_component(section, answer);
     if (answer.refusal == ParametersRefusal::none) {
         static_cast<void>(authority.raise(section));  // if the storage is busy, the next start raises it
     }
@@ -54,14 +57,22 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
     return answer;
 }
 
-void RolloverEcu::start_component(const ParameterSectionAnswer& answer) noexcept {
+void RolloverEcu::start_component(const std::uint8_t* section,
+                                  const ParameterSectionAnswer& answer) noexcept {
     static_cast<void>(component_.init(parameters_));
+    if (answer.refusal == ParametersRefusal::none) {
+        std::memcpy(calibration_.name.data(), section + application::section::name_at,
+                    calibration_.name.size());
+    } else {
+        calibration_.name = {};
+    }
     start_checks();
     refusal_ = answer.refusal;
 }
 
 void RolloverEcu::start_checks() noexcept {
     restore_load();
+    calibration_.checksum = load_keeper_.parameters_check_word();
     component_guard_.keep(component_);
     parameter_guard_.start(parameters_);
     input_monitor_.start(parameters_);
@@ -83,6 +94,7 @@ void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
     }
     reception_.start(parameters_);
     load_keeper_.follow(parameters_);
+    calibration_.checksum = load_keeper_.parameters_check_word();
 }
 
 // After a warm reset the load is unchanged; after power-on it may have changed.

@@ -45,6 +45,15 @@ class KeptData {
         }
     }
 
+    // A change that a tester orders; false beyond the number that a start allows, so that the memory is not
+    // worn out.
+    bool has_orders_left() const noexcept { return orders_left_ > 0U; }
+    bool takes_order() noexcept {
+        const bool is_taken = has_orders_left();
+        orders_left_ -= is_taken ? 1U : 0U;
+        return is_taken;
+    }
+
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
     // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.
@@ -63,6 +72,7 @@ class KeptData {
  private:
     using Record = application::AlternatingRecord<KeptPayload>;
 
+    static constexpr std::uint32_t most_orders = 100U;
     static constexpr std::uint32_t least_cycles_between_records = 100U;
     static constexpr std::uint32_t cycles_to_store_counts = 6000U;
     static constexpr std::uint32_t wait_of_new_entries =
@@ -78,6 +88,7 @@ class KeptData {
     WrittenData written_{};
     application::WritePace pace_{};
     bool is_lost_{false};
+    std::uint32_t orders_left_{most_orders};
     std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };
 

@@ -58,6 +58,7 @@ enum class Storing : std::uint8_t { not_needed, later, now };
 class TroubleMemory {
  public:
     static constexpr std::size_t snapshot_places = 8U;
+    static constexpr std::uint8_t most_resets = 20U;
     static constexpr std::uint8_t ageing_cycles = 40U;  // a confirmed code is forgotten after so many
 
     // Before the first cycle, after what was stored has been restored. `is_new_cycle`: an operation cycle
@@ -90,19 +91,31 @@ class TroubleMemory {
     // nullptr where there is none: never failed, or displaced by newer ones.
     const TroubleSnapshots* snapshots(std::size_t row) const noexcept;
 
+    // Limit of the resets by testers in an operation cycle, because each start has its other limits anew.
+    bool takes_reset() const noexcept { return data_.resets < most_resets; }
+    void count_reset() noexcept {
+        ++data_.resets;
+        request_storing(Storing::now);
+    }
+
     Storing storing() const noexcept { return storing_; }
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    // Stored form: bytes without gaps, the same on every target. With room for all codes that a CodeSet
-    // can hold, so that software with another one more reads what this one has stored.
-    static constexpr std::size_t most_codes = 63U;
+    // Stored form: bytes without gaps, the same on every target. With room for nearly all codes that a
+    // CodeSet can hold, so that software with another one more reads what this one has stored.
+    static constexpr std::size_t most_codes = 62U;
     static_assert(trouble_code_count <= most_codes);
     struct Stored {
         std::array<TroubleState, most_codes> states{};
+        // In the place of a 63rd code, which earlier software has written with the status `cleared` and
+        // zeros.
+        std::uint8_t reserved{status::cleared};
+        std::uint8_t resets{0U};  // by testers in this operation cycle
+        std::uint8_t unused{0U};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
     };
-    static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
+    static_assert(sizeof(Stored) == 3U * (most_codes + 1U) + 21U * snapshot_places);
 
     const Stored& stored_data() const noexcept { return data_; }
     // Accepts any content: unknown codes are left out.
