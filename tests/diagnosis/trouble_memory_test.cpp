@@ -123,7 +123,8 @@ TEST_F(Troubles, ResetsAreCountedOverStartsAndNotOverOperationCycles) {
 
     const TroubleMemory::Stored fresh{};
     const auto* const bytes = static_cast<const std::uint8_t*>(static_cast<const void*>(&fresh));
-    EXPECT_EQ(std::vector<std::uint8_t>(bytes + 186U, bytes + 189U), (std::vector<std::uint8_t>{0x50U, 0U, 0U}));
+    EXPECT_EQ(std::vector<std::uint8_t>(bytes + 186U, bytes + 189U),
+              (std::vector<std::uint8_t>{0x50U, 0U, 0U}));
 }
 
 // Without a failure for three seconds; what needs driving, after a minute of it.

@@ -183,8 +183,8 @@ TEST_F(UdsOrder, TesterPresentDoesNotStarvePhysicalRequests) {
     EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
 }
 
-// Those of another control unit, or its own that another node repeats: no dialogue of two ECUs, and no session
-// that they keep alive.
+// Those of another control unit, or its own that another node repeats: no dialogue of two ECUs, and no
+// session that they keep alive.
 TEST_F(UdsOrder, AnswersAreNotAnswered) {
     ask({0x10U, 0x03U});
     for (int cycle = 0; cycle < 600; ++cycle) {

@@ -51,7 +51,7 @@ TEST_F(FileStorage, TakesNoRecordOfAnotherLength) {
     EXPECT_EQ(storage_.read(shorter.data(), shorter.size()), Reading::unreadable);
 }
 
-// What is there and cannot be read is not taken for what never was.
+// A record that is there and cannot be read is not taken for none.
 TEST_F(FileStorage, TellsAnEmptyFileOrNoneThatOpensFromOneThatNeverWas) {
     std::ofstream{path_};
     Record record{};

@@ -66,7 +66,7 @@ ParameterSectionAnswer CalibrationPages::init() noexcept {
     answer = ecu_.init(reference_, reference_length_);
     is_usable_ = (answer.refusal == ParametersRefusal::none) || (answer.refusal == ParametersRefusal::value);
     if (is_usable_) {
-        std::memcpy(working_.data(), reference_, working_.size());
+        take_reference();
     }
     return answer;
 }
@@ -76,19 +76,21 @@ bool CalibrationPages::start_with_stored(ParameterSectionAnswer& answer) noexcep
     if (stored_ == nullptr) {
         return false;
     }
-    SectionBytes bytes{};
-    const RecordState state = stored_->read(bytes);
+    const RecordState state = stored_->read(working_);
     ecu_.report_stored_section(refusal_of(state));
     if ((state != RecordState::good) && (state != RecordState::doubtful)) {
         return false;
     }
-    answer = ecu_.init(bytes.data(), section::length);
+    answer = ecu_.init(working_.data(), section::length);
     if (answer.refusal != ParametersRefusal::none) {
         ecu_.report_stored_section(answer.refusal);
-        return false;
     }
-    std::memcpy(working_.data(), bytes.data(), working_.size());
-    return true;
+    return answer.refusal == ParametersRefusal::none;
+}
+
+void CalibrationPages::take_reference() noexcept {
+    working_ = SectionBytes{};
+    std::memcpy(working_.data(), reference_, section::length);
 }
 
 void CalibrationPages::go_on() noexcept {
@@ -205,7 +207,7 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     if (!is_usable_) {
         return xcp::Error::page_not_valid;
     }
-    std::memcpy(working_.data(), reference_, working_.size());
+    take_reference();
     piece_ends_at_ = 0U;
     if (selected_ == xcp::Page::working) {
         static_cast<void>(begin_change(working_.data()));
@@ -220,12 +222,10 @@ xcp::Error CalibrationPages::store() noexcept {
     if (!is_usable_ || (stored_ == nullptr) || (stores_left_ == 0U)) {
         return xcp::Error::access_denied;
     }
-    if (read_parameter_section(working_.data(), working_.size(), unused).refusal != ParametersRefusal::none) {
+    if (read_parameter_section(working_.data(), section::length, unused).refusal != ParametersRefusal::none) {
         return xcp::Error::page_not_valid;
     }
-    SectionBytes bytes{};
-    std::memcpy(bytes.data(), working_.data(), working_.size());
-    const bool taken = stored_->write(bytes);
+    const bool taken = stored_->write(working_);
     stores_left_ -= taken ? 1U : 0U;
     return taken ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
 }

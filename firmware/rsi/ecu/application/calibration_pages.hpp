@@ -68,9 +68,8 @@ class CalibrationPages final : public xcp::Target {
 
  private:
     static constexpr std::uint32_t most_stores = 100U;  // of a start
-    using Section = std::array<std::uint8_t, section::length>;
-
     bool start_with_stored(ParameterSectionAnswer& answer) noexcept;
+    void take_reference() noexcept;
     [[gnu::cold]] void go_on() noexcept;
     bool begin_change(const std::uint8_t* section) noexcept;
     std::uint8_t byte_at(std::uint32_t address, xcp::Page page) const noexcept;
@@ -81,7 +80,7 @@ class CalibrationPages final : public xcp::Target {
     const std::uint8_t* reference_;
     std::size_t reference_length_;
     SectionRecord* stored_;
-    Section working_{};
+    SectionBytes working_{};
     bool is_usable_{false};  // the reference has the form of a section; its values may be refused
     xcp::Page selected_{xcp::Page::working};
     rsi::ParameterChange change_{};

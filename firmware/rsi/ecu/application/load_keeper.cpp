@@ -38,11 +38,13 @@ void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
 // last store and when the memory's pace allows it.
 void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
     hal::count_up(cycles_since_store_);
+    if ((storage_ == nullptr) || (cycles_since_store_ < least_cycles_between_stores)) {
+        return;
+    }
     pace_.begin_cycle();
     const bool is_other = rsi::absolute(learnt.excess - stored_.excess) > worth_storing;
     const bool is_known = learnt.excess_deviation < known_deviation;
-    if ((storage_ == nullptr) || (cycles_since_store_ < least_cycles_between_stores) || !is_other ||
-        !is_known || !pace_.is_due()) {
+    if (!is_other || !is_known || !pace_.is_due()) {
         return;
     }
     const LoadRecord record = write_load_record(learnt, parameters_check_word_);

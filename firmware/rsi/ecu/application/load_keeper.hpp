@@ -27,7 +27,7 @@ class LoadKeeper {
     // One cycle.
     void keep(const rsi::LearntLoad& learnt) noexcept;
 
-    // Of the parameters for which it keeps loads.
+    // CRC-32 of the parameters for which it keeps loads.
     std::uint32_t parameters_check_word() const noexcept { return parameters_check_word_; }
 
     // The memory has refused a record for some time, or had one at the start that it did not give.

@@ -1,7 +1,5 @@
 #include "rsi/ecu/application/rollover_ecu.hpp"
 
-#include <cstring>
-
 #include "rsi/ecu/monitoring/output_check.hpp"
 #include "rsi/hal/saturating_count.hpp"
 
@@ -61,8 +59,9 @@ void RolloverEcu::start_component(const std::uint8_t* section,
                                   const ParameterSectionAnswer& answer) noexcept {
     static_cast<void>(component_.init(parameters_));
     if (answer.refusal == ParametersRefusal::none) {
-        std::memcpy(calibration_.name.data(), section + application::section::name_at,
-                    calibration_.name.size());
+        for (std::size_t letter = 0U; letter < calibration_.name.size(); ++letter) {
+            calibration_.name[letter] = section[application::section::name_at + letter];
+        }
     } else {
         calibration_.name = {};
     }

@@ -32,7 +32,7 @@ class IsoTp final : public hal::FrameListener {
     // Any frame of the bus; foreign ones are left alone.
     void take(const hal::CanFrame& frame) noexcept override;
 
-    // The request that waits; length 0: none does. It stays until it is finished. Where one of each kind
+    // The request that waits; length 0: none does. It stays until it is finished. If one of each kind
     // waits, they take turns, so that neither keeps the other waiting.
     Request request() const noexcept;
     void finish(const Request& request) noexcept;
