@@ -186,7 +186,7 @@ class Ecu {
         if (refusal != rsi::application::ParametersRefusal::none) {
             fmt::print(
                 "rsi-ecu: the section that was stored is not used: {}. Next: download or store it anew\n",
-                explain({refusal, rsi::Validation{0, "", "is out of range or contradicts another"}}));
+                explain({refusal, rsi::Validation{0, "a value", "is out of range or contradicts another"}}));
             std::fflush(stdout);
         }
     }

@@ -30,7 +30,7 @@ class MemoryGuard {
     // restored.
     bool restore(Object& object) noexcept {
         const Sum sum = sum_of(bytes_of(object));
-        const bool changed = !are_same(sum, sum_);
+        const bool changed = (difference(sum, sum_) != 0U);
         is_failing_ = changed && (!mend(object, sum) || restored_);
         restored_ = changed;
         return changed;
@@ -71,12 +71,12 @@ class MemoryGuard {
     // False where neither object nor copy can be trusted. If these two agree, the sum was wrong.
     [[gnu::cold, gnu::noinline]] bool mend(Object& object, const Sum& sum) noexcept {
         const Sum sum_of_copy = sum_of(bytes_of(kept_));
-        if (are_same(sum_of_copy, sum)) {
+        if (difference(sum_of_copy, sum) == 0U) {
             sum_ = sum;
             return true;
         }
         copy(bytes_of(kept_), bytes_of(object));
-        return are_same(sum_of_copy, sum_) && are_same(sum_of(bytes_of(object)), sum_);
+        return (difference(sum_of_copy, sum_) | difference(sum_of(bytes_of(object)), sum_)) == 0U;
     }
 
     static void copy(const unsigned char* from, unsigned char* to) noexcept {
@@ -99,11 +99,12 @@ class MemoryGuard {
     }
 
     template <std::size_t... lane>
-    static bool are_same(const Sum& a, const Sum& b, std::index_sequence<lane...>) noexcept {
-        return (0U | ... | (a[lane] ^ b[lane])) == 0U;
+    static Word difference(const Sum& a, const Sum& b, std::index_sequence<lane...>) noexcept {
+        return (0U | ... | (a[lane] ^ b[lane]));
     }
-    static bool are_same(const Sum& a, const Sum& b) noexcept {
-        return are_same(a, b, std::make_index_sequence<lanes>{});
+    // 0: they are the same.
+    static Word difference(const Sum& a, const Sum& b) noexcept {
+        return difference(a, b, std::make_index_sequence<lanes>{});
     }
 
     static Sum sum_of(const unsigned char* bytes) noexcept {
