@@ -74,7 +74,7 @@ class Ecu:
         command = [self.PROGRAM, "--interface", interface or INTERFACE, *self.DEFAULTS, *options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.output = line = self.process.stdout.readline()
-        while line and "listening" not in line:  # what it says of a stored section comes first
+        while line and "listening" not in line:  # a line on a stored section comes before
             line = self.process.stdout.readline()
             self.output += line
         if not line:
