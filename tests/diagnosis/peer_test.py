@@ -282,6 +282,10 @@ class Odx(unittest.TestCase):
         for identifier, name, *_ in TABLES.numbers + TABLES.choices:
             self.assertIn(odx.short(name), self.ask(f"read_{name}"), hex(identifier))
 
+    def test_the_calibration_in_use_is_read(self):
+        self.assertEqual(self.ask("read_calibration_checksum")["calibration_checksum"],
+                         uds_client.checksum_in_use(uds_client.client(self.connection, TABLES), TABLES))
+
     def test_codes_and_snapshots_are_decoded(self):
         codes = self.ask("read_codes", mask=0x08)["codes"]
         lost = next(each for each in codes if each["code"].trouble_code == IMU_LOST)

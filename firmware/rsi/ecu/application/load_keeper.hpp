@@ -31,7 +31,7 @@ class LoadKeeper {
     std::uint32_t parameters_check_word() const noexcept { return parameters_check_word_; }
 
     // The memory has refused a record for some time, or had one at the start that it did not give.
-    bool is_failing() const noexcept { return was_unreadable_ || pace_.is_failing(); }
+    bool is_failing() const noexcept { return is_failing_; }
 
  private:
     hal::Storage* storage_{nullptr};
@@ -39,6 +39,7 @@ class LoadKeeper {
     std::uint32_t cycles_since_store_{0U};
     WritePace pace_{};
     bool was_unreadable_{false};
+    bool is_failing_{false};
     rsi::LearntLoad stored_{};
 };
 

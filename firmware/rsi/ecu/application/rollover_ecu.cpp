@@ -14,7 +14,8 @@ constexpr std::uint32_t start_cycles = 100U;
 constexpr monitoring::CodeSet of_rare_faults = monitoring::set_of(
     monitoring::DiagnosticCode::imu_two_senders, monitoring::DiagnosticCode::roll_angle_two_senders,
     monitoring::DiagnosticCode::vehicle_motion_two_senders,
-    monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back);
+    monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back,
+    monitoring::DiagnosticCode::stored_parameters_refused, monitoring::DiagnosticCode::storage_failed);
 
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
@@ -185,7 +186,12 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
     report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
     report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
            DiagnosticCode::vehicle_motion_damaged);
-    if (reception.has_rare_fault() || ((memory_.active_codes() & of_rare_faults) != 0U)) {
+    const bool is_refused = (stored_refusal_ != ParametersRefusal::none);
+    const bool is_failing = is_storage_failing_ || load_keeper_.is_failing();
+    if (reception.has_rare_fault() || is_refused || is_failing ||
+        ((memory_.active_codes() & of_rare_faults) != 0U)) {
+        memory_.report(DiagnosticCode::stored_parameters_refused, is_refused);
+        memory_.report(DiagnosticCode::storage_failed, is_failing);
         memory_.report(DiagnosticCode::imu_two_senders, reception.imu.two_senders);
         memory_.report(DiagnosticCode::roll_angle_two_senders, reception.roll_angle.two_senders);
         memory_.report(DiagnosticCode::vehicle_motion_two_senders, reception.vehicle_motion.two_senders);
@@ -197,8 +203,6 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
 void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {
     using monitoring::DiagnosticCode;
     memory_.report(DiagnosticCode::parameters_refused, health.parameters_invalid);
-    memory_.report(DiagnosticCode::stored_parameters_refused, stored_refusal_ != ParametersRefusal::none);
-    memory_.report(DiagnosticCode::storage_failed, is_storage_failing_ || load_keeper_.is_failing());
     memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
     memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
     memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));

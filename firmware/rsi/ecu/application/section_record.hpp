@@ -23,4 +23,6 @@ constexpr ParametersRefusal refusal_of(RecordState state) noexcept {
                : ParametersRefusal::none;
 }
 
+extern template class AlternatingRecord<SectionBytes>;  // once for both
+
 }  // namespace rsi::application

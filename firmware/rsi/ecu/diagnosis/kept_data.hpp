@@ -37,11 +37,12 @@ class KeptData {
         if (cycles_to_wait_ > 0U) {
             --cycles_to_wait_;
         }
-        pace_.begin_cycle();
         const Storing storing = codes_.storing();
-        if ((storing != Storing::not_needed) && (cycles_to_wait_ <= longest_wait(storing)) &&
-            pace_.is_due()) {
-            store();
+        if (storing != Storing::not_needed) {
+            pace_.begin_cycle();
+            if ((cycles_to_wait_ <= longest_wait(storing)) && pace_.is_due()) {
+                store();
+            }
         }
     }
 
@@ -67,7 +68,7 @@ class KeptData {
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 
     // The memory has refused a record for some time, or had at the start only what could not be read.
-    bool is_failing() const noexcept { return is_lost_ || pace_.is_failing(); }
+    bool is_failing() const noexcept { return is_failing_; }
 
  private:
     using Record = application::AlternatingRecord<KeptPayload>;
@@ -88,6 +89,7 @@ class KeptData {
     WrittenData written_{};
     application::WritePace pace_{};
     bool is_lost_{false};
+    bool is_failing_{false};
     std::uint32_t orders_left_{most_orders};
     std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };

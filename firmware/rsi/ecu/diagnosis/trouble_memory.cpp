@@ -73,7 +73,7 @@ void TroubleMemory::start(bool is_new_cycle) noexcept {
         clear_bits(data_.states[row].status, status::test_failed);
     }
     if (is_new_cycle) {
-        data_.resets = 0U;
+        data_.states[resets_at].occurrences = 0U;
     }
     failed_ = 0U;
     cycles_ = 0U;

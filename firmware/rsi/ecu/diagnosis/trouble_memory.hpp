@@ -92,9 +92,9 @@ class TroubleMemory {
     const TroubleSnapshots* snapshots(std::size_t row) const noexcept;
 
     // Limit of the resets by testers in an operation cycle, because each start has its other limits anew.
-    bool takes_reset() const noexcept { return data_.resets < most_resets; }
+    bool takes_reset() const noexcept { return data_.states[resets_at].occurrences < most_resets; }
     void count_reset() noexcept {
-        ++data_.resets;
+        ++data_.states[resets_at].occurrences;
         request_storing(Storing::now);
     }
 
@@ -102,20 +102,15 @@ class TroubleMemory {
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    // Stored form: bytes without gaps, the same on every target. With room for nearly all codes that a
-    // CodeSet can hold, so that software with another one more reads what this one has stored.
-    static constexpr std::size_t most_codes = 62U;
-    static_assert(trouble_code_count <= most_codes);
+    // Stored form: bytes without gaps, the same on every target. With room for all codes that a CodeSet can
+    // hold but the last, so that software with another one more reads what this one has stored.
+    static constexpr std::size_t most_codes = 63U;
+    static_assert(trouble_code_count < most_codes);
     struct Stored {
         std::array<TroubleState, most_codes> states{};
-        // In the place of a 63rd code, which earlier software has written with the status `cleared` and
-        // zeros.
-        std::uint8_t reserved{status::cleared};
-        std::uint8_t resets{0U};  // by testers in this operation cycle
-        std::uint8_t unused{0U};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
     };
-    static_assert(sizeof(Stored) == 3U * (most_codes + 1U) + 21U * snapshot_places);
+    static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
 
     const Stored& stored_data() const noexcept { return data_; }
     // Accepts any content: unknown codes are left out.
@@ -129,6 +124,8 @@ class TroubleMemory {
     // that ordinary driving can meet have been.
     static constexpr std::uint32_t driven_cycles_to_judge = 6000U;
     static constexpr float driving_speed_mps = 10.0F;
+    // The last state is of no code: its occurrences are the resets by testers in this operation cycle.
+    static constexpr std::size_t resets_at = most_codes - 1U;
 
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
     void take_change(monitoring::CodeSet failed, const monitoring::Snapshot& measured,

@@ -107,7 +107,8 @@ class MemoryGuard {
         return difference(a, b, std::make_index_sequence<lanes>{});
     }
 
-    static Sum sum_of(const unsigned char* bytes) noexcept {
+    // Once in an image: it is long.
+    [[gnu::noinline]] static Sum sum_of(const unsigned char* bytes) noexcept {
         constexpr std::size_t rest = sizeof(Object) % summed_at_once;
         constexpr std::size_t in_blocks = sizeof(Object) - rest;
         Sum sum{};
