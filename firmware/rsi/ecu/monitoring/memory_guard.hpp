@@ -44,9 +44,8 @@ class MemoryGuard {
     using Word = MemoryWord;
     using Bytes = std::array<unsigned char, sizeof(Object)>;
 
-    // As many as Arm has registers for; with so many no two words of a lane are turned alike, up to 256
-    // words.
-    static constexpr std::size_t lanes = 8U;
+    // Few enough for registers. Words of a lane that are turned alike are 128 apart.
+    static constexpr std::size_t lanes = 4U;
     using Sum = std::array<Word, lanes>;
 
     static_assert(std::is_trivially_destructible_v<Object>, "it owns nothing: its bytes are all of it");
