@@ -54,18 +54,18 @@ Validation Component::init(const Parameters& parameters) {
 }
 
 void Component::reset(const Parameters& parameters) {
-    if (initialised_) {
+    if (is_initialised()) {
         ::new (static_cast<void*>(this)) Component{parameters, derived_.iterated()};
     }
 }
 
 Component::Component(const Parameters& parameters, const Iterated& iterated)
-    : initialised_(true), derived_(parameters, iterated) {
+    : mark_(mark_of_init), derived_(parameters, iterated) {
     state_.estimator.reset(derived_.estimator);
 }
 
 void Component::change(const ParameterChange& change) {
-    if (!initialised_) {
+    if (!is_initialised()) {
         return;
     }
     const Parameters& parameters = change.parameters();
@@ -89,7 +89,7 @@ void Component::change(const ParameterChange& change) {
 }
 
 bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
-    const bool restored = initialised_ && state_.load_adaptation.restore(learnt, doubted);
+    const bool restored = is_initialised() && state_.load_adaptation.restore(learnt, doubted);
     if (restored) {
         take_load();
     }
@@ -110,13 +110,17 @@ void Component::take_load() {
     const Derived& derived = derived_;
     const Vehicle& vehicle = derived.vehicle;
     State& state = state_;
+    if (!is_initialised()) {
+        step_unavailable(outputs);
+        return;
+    }
 
     // Measure, and observe roll and bank.
     const Learnt learnt{
         state.estimator.movement_for_observer_m(derived.estimator),
         state.load_adaptation.roll_factor(derived.load_adaptation, derived.vehicle.loaded.moment_arm_kgm)};
     Measurement measured;
-    if (!initialised_ || !state.measurement.update(derived.measurement, inputs, learnt, measured)) {
+    if (!state.measurement.update(derived.measurement, inputs, learnt, measured)) {
         step_unavailable(outputs);
         return;
     }

@@ -3,6 +3,8 @@
 
 #include "rsi/language.hpp"
 
+#include <cstdint>
+
 #include "rsi/adaptation/load_adaptation.hpp"
 #include "rsi/derived.hpp"
 #include "rsi/estimation/roll_centre_estimator.hpp"
@@ -73,7 +75,11 @@ class Component {
     void warn(const Measurement& measured, Outputs& outputs);
     [[gnu::noinline]] void take_load();
 
-    bool initialised_{false};
+    // A mark and no bool: memory before the first init may hold anything.
+    static constexpr std::uint32_t mark_of_init = 0x5AC3'96E1U;
+    bool is_initialised() const { return mark_ == mark_of_init; }
+
+    std::uint32_t mark_{0U};  // mark_of_init after an init that accepts the parameters
     Derived derived_;
     State state_{};
 };

@@ -1,5 +1,6 @@
 #include "hal/linux/file_storage.hpp"
 
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -16,10 +17,15 @@ using File = std::unique_ptr<std::FILE, Close>;
 
 FileStorage::FileStorage(std::string path) : path_{std::move(path)}, new_path_{path_ + ".new"} {}
 
-bool FileStorage::read(std::uint8_t* bytes, std::size_t length) noexcept {
+Reading FileStorage::read(std::uint8_t* bytes, std::size_t length) noexcept {
+    errno = 0;
     const File file{std::fopen(path_.c_str(), "rbe")};
-    return (file != nullptr) && (std::fread(bytes, 1U, length, file.get()) == length) &&
-           (std::fgetc(file.get()) == EOF);
+    if (file == nullptr) {
+        return (errno == ENOENT) ? Reading::never_written : Reading::unreadable;
+    }
+    const bool is_whole = (std::fread(bytes, 1U, length, file.get()) == length) &&
+                          (std::fgetc(file.get()) == EOF) && (std::ferror(file.get()) == 0);
+    return is_whole ? Reading::stored : Reading::unreadable;
 }
 
 bool FileStorage::write(const std::uint8_t* bytes, std::size_t length) noexcept {

@@ -16,8 +16,8 @@ class FileStorage final : public Storage {
     // The file need not be there; its folder must.
     explicit FileStorage(std::string path);
 
-    // False where there is no file of just that length.
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override;
+    // `never_written` without a file, `unreadable` where it cannot be opened or has another length.
+    Reading read(std::uint8_t* bytes, std::size_t length) noexcept override;
     // False where the file cannot be written.
     bool write(const std::uint8_t* bytes, std::size_t length) noexcept override;
 

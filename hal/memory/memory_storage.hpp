@@ -12,12 +12,15 @@ namespace rsi::hal {
 template <std::size_t capacity>
 class MemoryStorage final : public Storage {
  public:
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+    Reading read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        if (length_ == 0U) {
+            return Reading::never_written;
+        }
         if (length != length_) {
-            return false;
+            return Reading::unreadable;
         }
         std::copy_n(bytes_.begin(), length, bytes);
-        return true;
+        return Reading::stored;
     }
 
     bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {

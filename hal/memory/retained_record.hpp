@@ -11,7 +11,7 @@
 
 namespace rsi::hal {
 
-// Nothing initialises it; at power-on it holds zeros, or anything.
+// Nothing initialises it; at power-on it holds zeros, or anything. Only zeros are known to be a new one.
 template <std::size_t capacity>
 struct RetainedMemory {
     std::uint32_t length;
@@ -25,13 +25,16 @@ class RetainedRecord final : public Storage {
     // `memory` must outlive this object, which owns it exclusively.
     explicit RetainedRecord(RetainedMemory<capacity>& memory) noexcept : memory_{memory} {}
 
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+    Reading read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        if ((memory_.length == 0U) && (memory_.inverted_length == 0U)) {
+            return Reading::never_written;
+        }
         const bool is_there = (memory_.inverted_length == ~memory_.length) && (memory_.length == length);
         if (!is_there || (length > capacity)) {
-            return false;
+            return Reading::unreadable;
         }
         std::copy_n(memory_.bytes.begin(), length, bytes);
-        return true;
+        return Reading::stored;
     }
 
     bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {

@@ -20,6 +20,7 @@
 #include "rsi/ecu/application/calibrated_ecu.hpp"
 #include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/apps/tool_access.hpp"
+#include "sil/files/parameter_section_file.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/simulation/simulation.hpp"
@@ -131,6 +132,7 @@ class Ecu {
         if (diagnosis_) {
             static_cast<void>(ecu().add_listener(diagnosis_->listener()));
         }
+        say_refused();
     }
     void step(std::uint32_t missed_cycles) {
         if (calibrated_) {
@@ -168,11 +170,24 @@ class Ecu {
         diagnosis_->start(is_switched_on);
     }
     void start_plain(const rsi::Parameters& parameters, DiagnosisAccess* access) {
-        if ((access != nullptr) && access->store().restore()) {
+        const bool is_downloaded = (access != nullptr) && access->store().restore();
+        if (access != nullptr) {
+            plain_->report_stored_section(access->store().refusal());
+        }
+        if (is_downloaded) {
             require_accepted(plain_->init(access->store().section(), access->store().length()).validation);
             fmt::print("rsi-ecu: starts with the parameters that were downloaded\n");
         } else {
             require_accepted(plain_->init(parameters));
+        }
+    }
+    void say_refused() {
+        const rsi::application::ParametersRefusal refusal = ecu().stored_refusal();
+        if (refusal != rsi::application::ParametersRefusal::none) {
+            fmt::print(
+                "rsi-ecu: the section that was stored is not used: {}. Next: download or store it anew\n",
+                explain({refusal, rsi::Validation{0, "a value", "is out of range or contradicts another"}}));
+            std::fflush(stdout);
         }
     }
     static void require_accepted(const rsi::Validation& answer) {
@@ -286,7 +301,7 @@ void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
     rsi::hal::SocketCanBus bus;
     std::optional<CalibrationAccess> access;
     if (request.xcp) {
-        access.emplace(parameters, request.xcp_storage);
+        access.emplace(parameters, request.calibration_name, request.xcp_storage);
     }
     std::optional<DiagnosisAccess> workshop;
     if (request.diagnosis) {

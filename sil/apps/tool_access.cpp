@@ -4,10 +4,12 @@
 
 namespace sil {
 
-CalibrationAccess::CalibrationAccess(const rsi::Parameters& parameters, const std::filesystem::path& folder)
-    : section_{parameter_section(parameters, "rsi-ecu")},
+CalibrationAccess::CalibrationAccess(const rsi::Parameters& parameters, const std::string& name,
+                                     const std::filesystem::path& folder)
+    : section_{parameter_section(parameters, name)},
       attempts_{folder, "xcp_attempts.bin"},
-      stored_section_{folder, "xcp_parameters.bin"} {
+      one_{folder, "xcp_parameters_1.bin"},
+      other_{folder, "xcp_parameters_2.bin"} {
     seed_and_key_.start();
 }
 

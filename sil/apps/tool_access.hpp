@@ -14,7 +14,7 @@
 #include "hal/memory/memory_storage.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/ecu/access/seed_and_key.hpp"
-#include "rsi/ecu/application/parameter_section.hpp"
+#include "rsi/ecu/application/section_record.hpp"
 #include "rsi/ecu/diagnosis/diagnosis.hpp"
 #include "rsi/ecu/diagnosis/section_store.hpp"
 #include "rsi/types.hpp"
@@ -32,7 +32,7 @@ class NvFile final : public rsi::hal::Storage {
         }
     }
 
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+    rsi::hal::Reading read(std::uint8_t* bytes, std::size_t length) noexcept override {
         return file_ ? file_->read(bytes, length) : memory_.read(bytes, length);
     }
     bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {
@@ -50,19 +50,22 @@ class NvFile final : public rsi::hal::Storage {
 class CalibrationAccess {
  public:
     // `folder`: where the stored section and the count of wrong keys are kept; empty: in memory only.
-    CalibrationAccess(const rsi::Parameters& parameters, const std::filesystem::path& folder);
+    CalibrationAccess(const rsi::Parameters& parameters, const std::string& name,
+                      const std::filesystem::path& folder);
     CalibrationAccess(const CalibrationAccess&) = delete;
     CalibrationAccess& operator=(const CalibrationAccess&) = delete;
 
     const rsi::hal::KeyStore& keys() const { return keys_; }
     rsi::access::SeedAndKey& seed_and_key() { return seed_and_key_; }
-    rsi::hal::Storage& stored_section() { return stored_section_; }
+    rsi::application::SectionRecord& stored_section() { return stored_section_; }
     const std::vector<std::uint8_t>& section() const { return section_; }  // the reference page
 
  private:
     std::vector<std::uint8_t> section_;
     NvFile attempts_;
-    NvFile stored_section_;
+    NvFile one_;
+    NvFile other_;
+    rsi::application::SectionRecord stored_section_{one_, other_};
     rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     rsi::hal::SystemRandom random_{};
     rsi::access::SeedAndKey seed_and_key_{keys_, rsi::hal::KeySlot::calibration, random_, attempts_};
@@ -75,11 +78,12 @@ class DiagnosisAccess {
     // kept; empty: in memory only. `section`: where XCP stores its section, if it does, and then a download
     // too.
     DiagnosisAccess(const std::string& calibration_name, const std::filesystem::path& folder,
-                    rsi::hal::Storage* section)
+                    rsi::application::SectionRecord* section)
         : one_{folder, "diagnosis_1.bin"},
           other_{folder, "diagnosis_2.bin"},
           attempts_{folder, "diagnosis_attempts.bin"},
-          own_section_{folder, "parameters.bin"},
+          section_one_{folder, "parameters_1.bin"},
+          section_other_{folder, "parameters_2.bin"},
           store_{(section != nullptr) ? *section : own_section_} {
         seed_and_key_.start();
         identification_.software_version = rsi::diagnosis::text_of<rsi::diagnosis::ShortText>(RSI_VERSION);
@@ -101,7 +105,9 @@ class DiagnosisAccess {
     NvFile one_;
     NvFile other_;
     NvFile attempts_;
-    NvFile own_section_;
+    NvFile section_one_;
+    NvFile section_other_;
+    rsi::application::SectionRecord own_section_{section_one_, section_other_};
     rsi::diagnosis::SectionStore store_;
     rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     rsi::hal::SystemRandom random_{};

@@ -49,7 +49,8 @@ class GuessableNumbers final : public rsi::hal::RandomSource {
 struct BenchMemory {
     rsi::hal::RetainedMemory<rsi::diagnosis::KeptData::record_length> one;
     rsi::hal::RetainedMemory<rsi::diagnosis::KeptData::record_length> other;
-    rsi::hal::RetainedMemory<rsi::application::section::length> section;
+    rsi::hal::RetainedMemory<rsi::application::SectionRecord::length> section_one;
+    rsi::hal::RetainedMemory<rsi::application::SectionRecord::length> section_other;
     rsi::hal::RetainedMemory<rsi::access::stored_count_length> calibration_attempts;
     rsi::hal::RetainedMemory<rsi::access::stored_count_length> diagnosis_attempts;
 };
@@ -102,7 +103,9 @@ class BenchEcu {
     rsi::hal::ResetReason reset_reason_{rsi::hal::ResetReason::power_on};
     rsi::hal::RetainedRecord<rsi::diagnosis::KeptData::record_length> one_{memory.one};
     rsi::hal::RetainedRecord<rsi::diagnosis::KeptData::record_length> other_{memory.other};
-    rsi::hal::RetainedRecord<rsi::application::section::length> section_{memory.section};
+    rsi::hal::RetainedRecord<rsi::application::SectionRecord::length> section_one_{memory.section_one};
+    rsi::hal::RetainedRecord<rsi::application::SectionRecord::length> section_other_{memory.section_other};
+    rsi::application::SectionRecord section_{section_one_, section_other_};
     rsi::hal::RetainedRecord<rsi::access::stored_count_length> calibration_attempts_{
         memory.calibration_attempts};
     rsi::hal::RetainedRecord<rsi::access::stored_count_length> diagnosis_attempts_{memory.diagnosis_attempts};

@@ -203,6 +203,8 @@ def add_data(layer):
         layer.service(f"read_{name}", [0x22, *split(identifier)], answered=[layer.value(name, layer.byte)])
     layer.service("read_session", [0x22, *split(constants["active_session_identifier"])],
                   answered=[layer.value("session", layer.byte)])
+    layer.service("read_calibration_checksum", [0x22, *split(constants["calibration_checksum_identifier"])],
+                  answered=[layer.value("calibration_checksum", layer.number("checksum", 32))])
     for name, length in (("vehicle_number", 17), ("programming_date", 4)):
         dop = layer.bytes_of(name, length)
         identifier = split(constants[f"{name}_identifier"])

@@ -2,6 +2,7 @@
 
 import contextlib
 import logging
+import zlib
 
 import can
 import isotp
@@ -21,9 +22,9 @@ IN_MEMORY = 0x0C  # confirmed or pending
 NOT_AVAILABLE = -32768
 
 STATUS = ((0x01, "fails now"), (0x08, "confirmed"), (0x04, "pending"))
-FOUND = ((0x01, "parameters refused or damaged"), (0x02, "memory that had to be restored"),
+FOUND = ((0x01, "parameters refused or damaged, in use or stored"), (0x02, "memory that had to be restored"),
          (0x04, "an estimate or output out of range"), (0x08, "late cycles, or a clock that jumps"),
-         (0x10, "the bus"), (0x20, "a memory for trouble codes that takes nothing"))
+         (0x10, "the bus"), (0x20, "a memory that takes no records, or has lost one"))
 REFUSALS = ("good", "no parameter section", "a section of another format", "a section for another set of parameters",
             "a section of another length", "a wrong checksum", "a value that is out of range or contradicts another",
             "no good seal")
@@ -73,6 +74,7 @@ def client(connection, tables, key=TEST_KEY):
     config = dict(udsoncan.configs.default_client_config)
     config.update(security_algo=answer, request_timeout=8, extended_data_size=1, dtc_snapshot_did_size=2,
                   data_identifiers={**{each: codec for each, (_, codec) in IDENTIFIERS.items()}, 0xF186: "B",
+                                    tables.constants["calibration_checksum_identifier"]: ">I",
                                     tables.constants["freeze_frame_identifier"]: ">hhhhH", "default": ">f"})
     return Client(connection, config=config)
 
@@ -144,10 +146,32 @@ def clear(tester, tables):
 
 
 def identify(tester, tables):
-    del tables
     for identifier, (name, _) in IDENTIFIERS.items():
         text = tester.read_data_by_identifier(identifier).service_data.values[identifier]
         print(f"{name}: {text or 'not written'}")
+    print(f"checksum of the calibration: {checksum_in_use(tester, tables):08X}")
+
+
+def checksum_in_use(tester, tables):
+    identifier = tables.constants["calibration_checksum_identifier"]
+    return tester.read_data_by_identifier(identifier).service_data.values[identifier][0]
+
+
+def checksum_of(section, name, tables):
+    """CRC-32 of the values of a section, whatever follows it."""
+    length = tables.constants["section_length"]
+    if len(section) < length or section[:4] != b"RSIP":
+        raise LogError(f"{name} is no parameter section for this firmware")
+    return zlib.crc32(section[tables.constants["section_values_at"]:length - 4])
+
+
+def verify(tester, tables, section, name):
+    """A LogError says that the ECU runs on other values."""
+    wanted, found = checksum_of(section, name, tables), checksum_in_use(tester, tables)
+    if wanted != found:
+        raise LogError(f"the ECU runs on other values than those of {name}: checksum {found:08X}, not {wanted:08X}; a "
+                       "download is in use from the next start on, and `codes` names a stored section that is refused")
+    print(f"the ECU runs on the values of {name}: checksum {found:08X}")
 
 
 def self_test(tester, tables):

@@ -10,6 +10,8 @@
 
 namespace rsi_test {
 
+namespace hal = rsi::hal;
+
 class CutStorage final : public rsi::hal::Storage {
  public:
     // Content left by the write at which power goes: that many of its bytes, and behind them those of before.
@@ -18,15 +20,17 @@ class CutStorage final : public rsi::hal::Storage {
         std::size_t bytes_written;
     };
 
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
-        if (record_.size() != length) {
-            return false;
+    // An empty record is one that was never written.
+    hal::Reading read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        if (is_unreadable_ || (record_.size() != length && !record_.empty())) {
+            return hal::Reading::unreadable;
         }
         std::copy(record_.begin(), record_.end(), bytes);
-        return true;
+        return record_.empty() ? hal::Reading::never_written : hal::Reading::stored;
     }
 
     bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {
+        ++tries_;
         if (refuses_) {
             return false;
         }
@@ -49,6 +53,9 @@ class CutStorage final : public rsi::hal::Storage {
         has_power_ = true;
     }
     void refuse(bool refuses) { refuses_ = refuses; }
+    void set_unreadable(bool is_unreadable) { is_unreadable_ = is_unreadable; }
+    // Times that it was asked to take a record, whether it has or not.
+    int tries() const { return tries_; }
     bool has_power() const { return has_power_; }
     int writes() const { return writes_; }
     std::vector<std::uint8_t>& record() { return record_; }
@@ -59,6 +66,8 @@ class CutStorage final : public rsi::hal::Storage {
     int writes_{0};
     bool has_power_{true};
     bool refuses_{false};
+    bool is_unreadable_{false};
+    int tries_{0};
 };
 
 }  // namespace rsi_test

@@ -286,11 +286,34 @@ TEST_F(Access, UnlocksAlsoWhereTheGoodKeyCannotBeStoredAndThenStaysStrict) {
     EXPECT_EQ(give_wrong_key(), KeyAnswer::too_many_attempts);  // the two before are still counted
 }
 
+// Each costs its storage two writes.
+TEST_F(Access, IsUnlockedAHundredTimesInAStart) {
+    for (std::uint32_t time = 0U; time < SeedAndKey::most_unlocks; ++time) {
+        ASSERT_EQ(give_good_key(), KeyAnswer::unlocked) << time;
+    }
+    Block block{};
+    EXPECT_FALSE(lock_->give_seed(block));
+    EXPECT_FALSE(lock_->is_delayed());
+    restart();
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+    lock_->start();
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+}
+
 TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     give_wrong_key();
     storage_.record()[5] ^= 0x10U;
     restart();
     EXPECT_EQ(wait_for_seed(), longest_delay);
+    for (const std::size_t length : {std::size_t{5U}, rsi::access::stored_count_length + 1U}) {
+        storage_.record().resize(length);
+        restart();
+        EXPECT_EQ(wait_for_seed(), longest_delay) << length;
+    }
+    storage_.set_unreadable(true);
+    restart();
+    EXPECT_EQ(wait_for_seed(), longest_delay);
+    storage_.set_unreadable(false);
     for (const std::uint32_t impossible : {10U, 0x80000000U, 0xFFFFFFFFU}) {
         ASSERT_TRUE(rsi::access::write_count(storage_, rsi::access::CountOf::wrong_keys, impossible));
         restart();

@@ -59,6 +59,22 @@ TEST(AStoredCount, IsDamagedWithAnyBitFlippedErasedOrUnderAnotherTag) {
     EXPECT_EQ(count, 77U);
 }
 
+// Only what was never written counts as new: a record that cannot be read may have counted anything.
+TEST(AStoredCount, IsDamagedWhereTheMemoryDoesNotGiveItOrGivesOneOfAnotherLength) {
+    std::uint32_t count = 77U;
+    for (const std::size_t length :
+         {std::size_t{1U}, std::size_t{5U}, rsi::access::stored_count_length + 1U}) {
+        CutStorage storage;
+        storage.record().assign(length, 0U);
+        EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::damaged) << length;
+    }
+    CutStorage storage;
+    ASSERT_TRUE(rsi::access::write_count(storage, what, 5U));
+    storage.set_unreadable(true);
+    EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::damaged);
+    EXPECT_EQ(count, 77U);
+}
+
 TEST(AStoredCount, SaysWhenTheStorageDoesNotTakeIt) {
     CutStorage storage;
     storage.refuse(true);

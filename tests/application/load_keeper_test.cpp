@@ -15,6 +15,7 @@
 #include "rsi/ecu/application/load_record.hpp"
 #include "rsi/ecu/application/parameter_section.hpp"
 #include "rsi/ecu/application/rollover_ecu.hpp"
+#include "tests/access/cut_storage.hpp"
 #include "tests/application/bench.hpp"
 
 extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
@@ -177,11 +178,44 @@ TEST_F(Keeping, WaitsForAMinuteAfterAStartToo) {
 
 TEST_F(Keeping, TriesAgainWhileTheStorageIsBusy) {
     storage.set_busy(true);
-    keep(learnt, 2 * cycles_in_a_minute);
+    keep(learnt, cycles_in_a_minute);
     EXPECT_EQ(storage.writes(), 0U);
     storage.set_busy(false);
     keep(learnt, 1);
     EXPECT_EQ(storage.writes(), 1U);
+}
+
+// Not a hundred times a second, for as long as it refuses.
+TEST_F(Keeping, TriesARefusingStorageEverMoreRarely) {
+    rsi_test::CutStorage refusing;
+    refusing.refuse(true);
+    keeper.use(refusing);
+    keep(learnt, cycles_in_a_minute);
+    EXPECT_EQ(refusing.tries(), 1);
+    EXPECT_FALSE(keeper.is_failing()) << "it may be busy";
+    keep(learnt, 511);
+    EXPECT_EQ(refusing.tries(), 10);
+    EXPECT_TRUE(keeper.is_failing());
+    keep(learnt, 60 * cycles_in_a_minute);
+    EXPECT_LE(refusing.tries(), 10 + 64) << "once a minute in the end";
+    EXPECT_GE(refusing.tries(), 10 + 60);
+    refusing.refuse(false);
+    keep(learnt, cycles_in_a_minute);
+    EXPECT_EQ(refusing.writes(), 1);
+    EXPECT_FALSE(keeper.is_failing());
+}
+
+TEST_F(Keeping, FailsWhereARecordCannotBeRead) {
+    rsi_test::CutStorage unreadable;
+    keeper.use(unreadable);
+    keeper.restore(large_suv(), component, false);
+    EXPECT_FALSE(keeper.is_failing()) << "nothing was ever stored";
+    unreadable.set_unreadable(true);
+    keeper.restore(large_suv(), component, false);
+    EXPECT_TRUE(keeper.is_failing());
+    unreadable.set_unreadable(false);
+    keeper.restore(large_suv(), component, false);
+    EXPECT_FALSE(keeper.is_failing());
 }
 
 // A component that refuses what was kept does not have it, so that it is new to the storage.
@@ -214,7 +248,7 @@ TEST_F(Keeping, StoresForTheParametersThatItFollows) {
     keeper.follow(other);
     keep(learnt, cycles_in_a_minute);
     LoadRecord record{};
-    ASSERT_TRUE(storage.read(record.data(), record.size()));
+    ASSERT_EQ(storage.read(record.data(), record.size()), rsi::hal::Reading::stored);
     rsi::LearntLoad read{};
     EXPECT_TRUE(rsi::application::read_load_record(record, rsi::application::check_word_of(other), read));
     EXPECT_FALSE(
@@ -316,6 +350,30 @@ TEST(TheEcu, StartsWithTheLoadThatItsStorageHoldsAndDoubtsItAfterALossOfPower) {
     EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::data_abort), learnt.excess, 0.001F);
 }
 
+TEST(TheEcu, ReportsAMemoryThatLosesRecords) {
+    using rsi::monitoring::DiagnosticCode;
+    AnEcuWithAStorage unit{rsi::hal::ResetReason::outside};
+    const std::array<std::uint8_t, 3> cut{};
+    ASSERT_TRUE(unit.storage.write(cut.data(), cut.size()));
+    ASSERT_EQ(unit.ecu().init(large_suv()).accepted, 1);
+    unit.ecu().step(0U);
+    EXPECT_TRUE(unit.ecu().diagnostic_memory().confirmed(DiagnosticCode::storage_failed));
+}
+
+TEST(TheEcu, ReportsTheOtherMemoriesOfThePlatformToo) {
+    using rsi::monitoring::DiagnosticCode;
+    AnEcuWithAStorage unit{rsi::hal::ResetReason::outside};
+    ASSERT_EQ(unit.ecu().init(large_suv()).accepted, 1);
+    unit.ecu().step(0U);
+    EXPECT_FALSE(unit.ecu().diagnostic_memory().confirmed(DiagnosticCode::storage_failed));
+    unit.ecu().report_storage(true);
+    unit.ecu().step(0U);
+    EXPECT_TRUE(unit.ecu().diagnostic_memory().confirmed(DiagnosticCode::storage_failed));
+    unit.ecu().report_storage(false);
+    unit.ecu().step(0U);
+    EXPECT_FALSE(unit.ecu().diagnostic_memory().confirmed(DiagnosticCode::storage_failed));
+}
+
 TEST(TheEcu, StartsWithThatLoadWhereItsParametersAreASectionToo) {
     rsi::Parameters parameters{};
     rsi::application::read_parameter_section(rsi_parameter_section, rsi::application::section::length,
@@ -354,7 +412,7 @@ TEST_P(ALoadThatIsPutOn, IsStoredAfterAMinute) {
     ASSERT_EQ(unit.storage.writes(), 2U);
     LoadRecord record{};
     rsi::LearntLoad stored{};
-    ASSERT_TRUE(unit.storage.read(record.data(), record.size()));
+    ASSERT_EQ(unit.storage.read(record.data(), record.size()), rsi::hal::Reading::stored);
     ASSERT_TRUE(rsi::application::read_load_record(record, rsi::application::check_word_of(used), stored));
     EXPECT_NEAR(stored.excess, 0.4F + 130.0F / 2060.0F, 0.001F);
 }

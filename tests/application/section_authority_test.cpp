@@ -255,6 +255,13 @@ TEST_F(ASectionAuthority, RefusesAllWhenItsRecordIsDamaged) {
     EXPECT_EQ(refusal_of(sealed_section(0xFFFFFFFFU)), ParametersRefusal::unauthentic);
 }
 
+TEST_F(ASectionAuthority, RefusesAllWhenItsRecordCannotBeRead) {
+    EXPECT_TRUE(raise(7U));
+    storage_.record().pop_back();
+    restart();
+    EXPECT_EQ(check(sealed_section(0xFFFFFFFFU)), SealFault::version_lost);
+}
+
 TEST_F(ASectionAuthority, RefusesAllBeforeItsStart) {
     SectionAuthority fresh{keys_, storage_};
     const Bytes bytes = sealed_section(7U);

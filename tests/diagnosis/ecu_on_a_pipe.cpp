@@ -48,7 +48,9 @@ class EcuOnAPipe {
         diagnosis_->start(is_switched_on);
         ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_);
         ecu_->add_listener(diagnosis_->listener());
-        if (access_.store().restore()) {
+        const bool is_downloaded = access_.store().restore();
+        ecu_->report_stored_section(access_.store().refusal());
+        if (is_downloaded) {
             ecu_->init(access_.store().section(), access_.store().length());
         } else {
             ecu_->init(testing_application::large_suv());

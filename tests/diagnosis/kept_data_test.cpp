@@ -10,6 +10,7 @@
 namespace testing_diagnosis {
 namespace {
 
+using rsi::application::RecordState;
 using rsi::diagnosis::KeptData;
 using rsi::monitoring::CodeSet;
 using rsi_test::CutStorage;
@@ -125,12 +126,47 @@ TEST(KeptData, ABusyPlaceIsAskedAgain) {
     memories.one.refuse(true);
     memories.other.refuse(true);
     Life life{memories};
-    life.run(500);
+    life.run(62);
     EXPECT_FALSE(life.data.is_stored());
     memories.one.refuse(false);
     memories.other.refuse(false);
-    life.run(1);
+    life.run(64);
     EXPECT_TRUE(life.data.is_stored());
+    EXPECT_FALSE(life.data.is_failing());
+}
+
+// At a pace of its own, and never in every cycle.
+TEST(KeptData, APlaceThatRefusesIsAskedEverMoreRarelyAndIsAFailure) {
+    Memories memories;
+    memories.one.refuse(true);
+    memories.other.refuse(true);
+    Life life{memories};
+    life.run(511);
+    EXPECT_EQ(memories.one.tries() + memories.other.tries(), 9);
+    EXPECT_FALSE(life.data.is_failing());
+    life.run(1);
+    EXPECT_TRUE(life.data.is_failing());
+    life.run(600000);
+    EXPECT_LE(memories.one.tries() + memories.other.tries(), 10 + 104);
+    memories.one.refuse(false);
+    memories.other.refuse(false);
+    life.run(6000);
+    EXPECT_TRUE(life.data.is_stored());
+    EXPECT_FALSE(life.data.is_failing());
+}
+
+TEST(KeptData, RecordsOfWhichNoneCanBeReadAreAFailure) {
+    Memories memories;
+    {
+        Life life{memories};
+        EXPECT_FALSE(life.data.is_failing()) << "nothing was ever stored";
+        life.run(150, bit_of(1U));
+        life.run(150, bit_of(1U) | bit_of(2U));
+    }
+    memories.other.set_unreadable(true);
+    EXPECT_FALSE(Life{memories}.data.is_failing()) << "as after a loss of power";
+    memories.one.record().pop_back();
+    EXPECT_TRUE(Life{memories}.data.is_failing());
 }
 
 // Every write of a life with ten codes, one after the other, cut at the beginning, at the end, and at bytes
@@ -208,12 +244,13 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
 
 TEST(KeptData, ARecordOfAnotherLayoutIsNotRead) {
     Memories memories;
-    rsi::diagnosis::AlternatingRecord<rsi::diagnosis::KeptPayload> record{memories.one, memories.other};
+    rsi::application::AlternatingRecord<rsi::diagnosis::KeptPayload> record{memories.one, memories.other};
     rsi::diagnosis::KeptPayload payload{};
     payload.codes.states.fill({rsi::diagnosis::status::failure, 1U, 0U});
     payload.layout = rsi::diagnosis::KeptPayload::present_layout + 1U;
     ASSERT_TRUE(record.write(payload));
     EXPECT_TRUE(Life{memories}.known().empty());
+    EXPECT_TRUE(Life{memories}.data.is_failing());
     payload.layout = rsi::diagnosis::KeptPayload::present_layout;
     ASSERT_TRUE(record.write(payload));
     EXPECT_EQ(Life{memories}.known().size(), rsi::diagnosis::trouble_code_count);
@@ -226,7 +263,7 @@ TEST(KeptData, ARecordDoesNotDependOnHowManyCodesThereAre) {
 
 // The sequence number may begin again at zero.
 TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
-    using Record = rsi::diagnosis::AlternatingRecord<std::uint8_t>;
+    using Record = rsi::application::AlternatingRecord<std::uint8_t>;
     Memories memories;
     const auto record_with = [](std::uint32_t sequence, std::uint8_t byte) {
         Bytes record(Record::length);
@@ -241,7 +278,7 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
         memories.other.record() = record_with(other, 2U);
         Record record{memories.one, memories.other};
         std::uint8_t payload = 0U;
-        EXPECT_TRUE(record.read(payload));
+        EXPECT_EQ(record.read(payload), RecordState::good);
         return unsigned{payload};
     };
     EXPECT_EQ(newest(7U, 8U), 2U);
@@ -253,7 +290,7 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
     // And the older one is what the next record replaces.
     Record record{memories.one, memories.other};
     std::uint8_t payload = 0U;
-    ASSERT_TRUE(record.read(payload));
+    ASSERT_EQ(record.read(payload), RecordState::good);
     ASSERT_TRUE(record.write(3U));
     EXPECT_EQ(memories.one.record()[0], 1U);
     EXPECT_EQ(memories.other.record()[0], 3U);
@@ -261,30 +298,30 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
 
 TEST(AlternatingRecord, AnEmptyMemoryLeavesThePayloadAsItWas) {
     Memories memories;
-    rsi::diagnosis::AlternatingRecord<std::uint8_t> record{memories.one, memories.other};
+    rsi::application::AlternatingRecord<std::uint8_t> record{memories.one, memories.other};
     std::uint8_t payload = 7U;
-    EXPECT_FALSE(record.read(payload));
+    EXPECT_EQ(record.read(payload), RecordState::never_written);
     EXPECT_EQ(payload, 7U);
 }
 
 // Other data in such a memory may have a checksum of the same kind.
 TEST(AlternatingRecord, ARecordOfAnotherKindIsNotRead) {
-    using Record = rsi::diagnosis::AlternatingRecord<std::uint8_t>;
+    using Record = rsi::application::AlternatingRecord<std::uint8_t>;
     Memories memories;
     Bytes foreign(Record::length, 1U);
     rsi::application::put_u32(foreign.data(), 9U, rsi::application::crc32(foreign.data(), 9U));
     memories.one.record() = foreign;
     Record record{memories.one, memories.other};
     std::uint8_t payload = 7U;
-    EXPECT_FALSE(record.read(payload));
+    EXPECT_EQ(record.read(payload), RecordState::unreadable);
 }
 
 // A memory that has filled the bytes and then says that they are not to be trusted.
 class DoubtfulStorage final : public rsi::hal::Storage {
  public:
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+    rsi::hal::Reading read(std::uint8_t* bytes, std::size_t length) noexcept override {
         std::copy_n(record.begin(), std::min(length, record.size()), bytes);
-        return false;
+        return rsi::hal::Reading::unreadable;
     }
     bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {
         record.assign(bytes, bytes + length);
@@ -297,10 +334,10 @@ class DoubtfulStorage final : public rsi::hal::Storage {
 TEST(AlternatingRecord, AnUnreadableRecordIsNotTaken) {
     DoubtfulStorage one;
     DoubtfulStorage other;
-    rsi::diagnosis::AlternatingRecord<std::uint8_t> record{one, other};
+    rsi::application::AlternatingRecord<std::uint8_t> record{one, other};
     ASSERT_TRUE(record.write(3U));
     std::uint8_t payload = 7U;
-    EXPECT_FALSE(record.read(payload));
+    EXPECT_EQ(record.read(payload), RecordState::unreadable);
     EXPECT_EQ(payload, 7U);
 }
 

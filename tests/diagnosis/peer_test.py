@@ -9,9 +9,11 @@ import io
 
 import pathlib
 import re
+import struct
 import sys
 import tempfile
 import unittest
+import zlib
 
 import odxtools
 from udsoncan import services
@@ -87,6 +89,8 @@ class Peer(unittest.TestCase):
         self.assertEqual(after[IMU_LOST] & 0x0F, 0x0C, "confirmed and pending, and not yet failed again")
 
     def test_clearing(self):
+        self.refused(lambda: self.client.clear_dtc(0xFFFFFF), 0x7F)
+        self.client.change_session(3)
         self.refused(lambda: self.client.clear_dtc(0xFFFFFF), 0x33)
         self.unlock()
         off = lambda: self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.off)
@@ -176,9 +180,37 @@ class Peer(unittest.TestCase):
             uds_client.download(self.client, TABLES, self.section(bytes(damaged)))
         with self.assertRaisesRegex(LogError, "has 347 bytes, a section for this firmware 348"):
             uds_client.download(self.client, TABLES, self.section(SECTION[:-1]))
-        self.assertFalse((pathlib.Path(self.folder.name) / "parameters.bin").exists())
+        stored = pathlib.Path(self.folder.name) / "parameters_1.bin"
+        self.assertFalse(stored.exists())
         self.assertIn("from the next start", self.said(uds_client.download, self.section(SECTION)))
-        self.assertEqual((pathlib.Path(self.folder.name) / "parameters.bin").read_bytes(), SECTION)
+        self.assertEqual(stored.read_bytes()[:len(SECTION)], SECTION)
+
+    def test_the_calibration_in_use_is_verified(self):
+        other = bytearray(SECTION)
+        other[16:24] = b"workshop"
+        other[64:68] = struct.pack("<f", struct.unpack("<f", SECTION[64:68])[0] + 1.0)
+        other[-4:] = struct.pack("<I", zlib.crc32(other[:-4]))
+        verify = lambda: self.said(uds_client.verify, bytes(other), "other.bin")
+        with self.assertRaisesRegex(LogError, "runs on other values than those of other.bin"):
+            verify()
+        with self.assertRaisesRegex(LogError, "cut.bin is no parameter section"):
+            self.said(uds_client.verify, SECTION[:-1], "cut.bin")
+        self.said(uds_client.download, self.section(bytes(other)))
+        with self.assertRaisesRegex(LogError, "runs on other values"):
+            verify()
+        self.ecu.loses_power()
+        self.assertIn("runs on the values of other.bin: checksum", verify())
+        said = self.said(uds_client.identify)
+        self.assertIn("calibration: workshop", said)
+        self.assertIn(f"checksum of the calibration: {zlib.crc32(other[64:-4]):08X}\n", said)
+        stored = pathlib.Path(self.folder.name) / "parameters_1.bin"
+        stored.write_bytes(stored.read_bytes()[:-1])
+        self.ecu.loses_power()
+        self.ecu.run(1)
+        with self.assertRaisesRegex(LogError, "runs on other values"):
+            verify()
+        self.assertIn("stored parameters refused: fails now", self.said(uds_client.show_codes))
+        self.assertIn("wrong: parameters refused or damaged, in use or stored", self.said(uds_client.self_test))
 
     def test_the_output_of_the_commands(self):
         said = self.said(uds_client.show_codes)
@@ -249,6 +281,10 @@ class Odx(unittest.TestCase):
     def test_every_value_is_read(self):
         for identifier, name, *_ in TABLES.numbers + TABLES.choices:
             self.assertIn(odx.short(name), self.ask(f"read_{name}"), hex(identifier))
+
+    def test_the_calibration_in_use_is_read(self):
+        self.assertEqual(self.ask("read_calibration_checksum")["calibration_checksum"],
+                         uds_client.checksum_in_use(uds_client.client(self.connection, TABLES), TABLES))
 
     def test_codes_and_snapshots_are_decoded(self):
         codes = self.ask("read_codes", mask=0x08)["codes"]

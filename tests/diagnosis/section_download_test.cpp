@@ -13,6 +13,8 @@ extern "C" const unsigned char rsi_parameter_section[rsi::application::section::
 namespace testing_diagnosis {
 namespace {
 
+using rsi::application::ParametersRefusal;
+
 constexpr std::size_t section_length = rsi::application::section::length;
 
 Bytes good_section() {
@@ -48,7 +50,22 @@ class Download : public ::testing::Test {
     static Bytes result(rsi::application::ParametersRefusal refusal) {
         return {0x71U, 0x01U, 0xFFU, 0x01U, static_cast<std::uint8_t>(refusal)};
     }
-    const Bytes& stored() { return memories_.section.record(); }
+    // As the next start finds it; empty: nothing.
+    Bytes stored() {
+        rsi::application::SectionRecord record{memories_.section_one, memories_.section_other};
+        rsi::application::SectionBytes bytes{};
+        record.read(bytes);
+        const bool is_there = (bytes != rsi::application::SectionBytes{});
+        return is_there ? Bytes(bytes.begin(), bytes.begin() + section_length) : Bytes{};
+    }
+    void forget() {
+        memories_.section_one.record().clear();
+        memories_.section_other.record().clear();
+    }
+    void refuse(bool refuses) {
+        memories_.section_one.refuse(refuses);
+        memories_.section_other.refuse(refuses);
+    }
 
     Memories memories_{};
     Tester tester_{memories_};
@@ -61,14 +78,16 @@ TEST_F(Download, AGoodSectionIsStoredForTheNextStart) {
     EXPECT_FALSE(tester_.store().restore());
     EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none));
     EXPECT_EQ(stored(), good_section());
-    rsi::diagnosis::SectionStore store{memories_.section};
+    rsi::application::SectionRecord record{memories_.section_one, memories_.section_other};
+    rsi::diagnosis::SectionStore store{record};
     EXPECT_TRUE(store.restore());
+    EXPECT_EQ(store.refusal(), ParametersRefusal::none);
     EXPECT_TRUE(std::equal(rsi_parameter_section, rsi_parameter_section + section_length, store.section()));
 }
 
 TEST_F(Download, BlocksMayHaveAnyLength) {
     for (const std::size_t size : {std::size_t{1U}, std::size_t{7U}, std::size_t{128U}}) {
-        memories_.section.record().clear();
+        forget();
         transfer(good_section(), size);
         EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none));
         EXPECT_EQ(stored(), good_section());
@@ -100,7 +119,7 @@ TEST_F(Download, ABadSectionIsRefusedWithItsReasonAndTheOldOneStays) {
     EXPECT_EQ(stored(), good_section());
 }
 
-// Interrupted at every byte: by the end of the session, a new request, or silence.
+// Interrupted at every byte: by the end of the session, another request, or silence.
 TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     transfer(good_section());
     check();
@@ -109,6 +128,11 @@ TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     rsi::application::put_u32(other.data(), section_length - 4U,
                               rsi::application::crc32(other.data(), section_length - 4U));
     for (std::size_t sent = 0U; sent < section_length; ++sent) {
+        if (sent % 40U == 0U) {  // a start takes a limited number of downloads and keys
+            tester_.~Tester();
+            new (&tester_) Tester{memories_};
+        }
+        tester_.unlock(0x02U);
         ASSERT_EQ(request_download()[0], 0x74U);
         unsigned number = 1U;
         for (std::size_t at = 0U; at < sent; at += 128U) {
@@ -160,6 +184,57 @@ TEST_F(Download, TheRequestIsChecked) {
     static_assert(section_length == 0x15CU);
     tester_.inputs.speed_mps = 3.0F;
     EXPECT_EQ(request_download(), no(0x34U, 0x22U));
+    EXPECT_EQ(ask({0x34U, 0x00U}), no(0x34U, 0x13U)) << "the request before the conditions";
+    EXPECT_EQ(request_download(section_length + 1U), no(0x34U, 0x31U));
+}
+
+TEST_F(Download, ThatIsOnItsWayIsNotBegunAnew) {
+    ASSERT_EQ(request_download()[0], 0x74U);
+    ASSERT_EQ(request_download()[0], 0x74U) << "its answer may have been lost";
+    ASSERT_EQ(block(1U, {1U})[0], 0x76U);
+    EXPECT_EQ(request_download(), no(0x34U, 0x22U));
+    EXPECT_EQ(block(2U, {1U})[0], 0x76U) << "it goes on";
+    tester_.unlock(0x02U);
+    transfer(good_section());
+    transfer(good_section());
+    EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none)) << "a whole one is not on its way";
+}
+
+// With the key, and begun at rest.
+TEST_F(Download, GoesOnAtRestOnly) {
+    const auto drive = [&](float speed_mps) { tester_.inputs.speed_mps = speed_mps; };
+    ASSERT_EQ(request_download()[0], 0x74U);
+    drive(20.0F);
+    EXPECT_EQ(block(1U, {1U}), no(0x36U, 0x22U));
+    drive(0.0F);
+    tester_.unlock(0x02U);
+    transfer(good_section());
+    drive(20.0F);
+    EXPECT_EQ(ask({0x37U}), no(0x37U, 0x22U));
+    EXPECT_EQ(check(), no(0x31U, 0x22U));
+    EXPECT_TRUE(stored().empty());
+    drive(0.0F);
+    EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none));
+}
+
+// While the memory is busy the vehicle starts.
+TEST_F(Download, IsNotStoredOnceTheVehicleMoves) {
+    transfer(good_section());
+    refuse(true);
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U));
+    tester_.inputs.speed_mps = 20.0F;
+    refuse(false);
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x22U));
+    EXPECT_TRUE(stored().empty());
+}
+
+// Each may be stored: no more than a memory lasts for.
+TEST_F(Download, IsTakenAHundredTimesInAnOperationCycle) {
+    for (int time = 0; time < 100; ++time) {
+        ASSERT_EQ(request_download()[0], 0x74U) << time;
+    }
+    EXPECT_EQ(request_download(), no(0x34U, 0x22U));
 }
 
 TEST_F(Download, BlocksAreCounted) {
@@ -184,18 +259,18 @@ TEST_F(Download, BlocksAreCounted) {
 
 TEST_F(Download, AMemoryThatIsBusyIsWaitedFor) {
     transfer(good_section());
-    memories_.section.refuse(true);
+    refuse(true);
     tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
     EXPECT_EQ(tester_.receive(20), no(0x31U, 0x78U));
     tester_.cycles(100);
-    memories_.section.refuse(false);
+    refuse(false);
     EXPECT_EQ(tester_.receive(20), result(rsi::application::ParametersRefusal::none));
     EXPECT_EQ(stored(), good_section());
 }
 
 TEST_F(Download, AMemoryThatNeverTakesItIsSaid) {
     transfer(good_section());
-    memories_.section.refuse(true);
+    refuse(true);
     tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
     EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
     EXPECT_EQ(tester_.receive(500), no(0x31U, 0x72U)) << "within P2*";
@@ -207,12 +282,12 @@ TEST_F(Download, TheReportOfASlowMemoryIsTrue) {
     constexpr int tries = 20;
     for (int late = 0; late < tries; ++late) {
         transfer(good_section());
-        memories_.section.record().clear();
-        memories_.section.refuse(true);
+        forget();
+        refuse(true);
         tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
         EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
         tester_.cycles(436 + late);
-        memories_.section.refuse(false);
+        refuse(false);
         const bool is_good = (tester_.receive(20) == result(rsi::application::ParametersRefusal::none));
         EXPECT_EQ(is_good, stored() == good_section()) << late;
         stored_in_time += is_good ? 1 : 0;
@@ -221,19 +296,142 @@ TEST_F(Download, TheReportOfASlowMemoryIsTrue) {
     EXPECT_LT(stored_in_time, tries);
 }
 
-TEST_F(Download, ATornRecordIsNoSection) {
-    transfer(good_section());
-    memories_.section.cut_power_at({1, 200U});
-    check();
-    rsi::diagnosis::SectionStore store{memories_.section};
-    EXPECT_FALSE(store.restore());
+// The section as the next start finds it in the memories, and the fault that it finds.
+struct Start {
+    explicit Start(Memories& memories) : record{memories.section_one, memories.section_other} {
+        is_good = store.restore();
+    }
+    std::uint8_t letter() const { return store.section()[rsi::application::section::name_at]; }
+
+    rsi::application::SectionRecord record;
+    rsi::diagnosis::SectionStore store{record};
+    bool is_good{false};
+};
+
+Bytes with_checksum(Bytes section) {
+    rsi::application::section::put_checksum(section.data());
+    return section;
+}
+
+// Sections that differ in the first letter of their names.
+Bytes named(char letter) {
+    Bytes section = good_section();
+    section[rsi::application::section::name_at] = static_cast<std::uint8_t>(letter);
+    return with_checksum(section);
+}
+
+void put(rsi::diagnosis::SectionStore& store, const Bytes& section) {
+    for (std::size_t place = 0U; place < section.size(); ++place) {
+        store.put(place, section[place]);
+    }
+}
+
+rsi::diagnosis::SectionAnswer store_in(Start& start, const Bytes& section) {
+    put(start.store, section);
+    std::uint8_t reason = 0U;
+    return start.store.store(reason);
+}
+
+// At every byte of every write: the old section or the new one.
+TEST(StoredSection, OutlivesALossOfPowerAtAnyByteOfAnyWrite) {
+    constexpr std::size_t length = rsi::application::SectionRecord::length;
+    for (std::size_t bytes = 0U; bytes <= length; ++bytes) {
+        for (const char newest : {'B', 'C'}) {  // the second goes to the other place
+            Memories memories;
+            for (char letter = 'A'; letter < newest; ++letter) {
+                Start start{memories};
+                ASSERT_EQ(store_in(start, named(letter)), rsi::diagnosis::SectionAnswer::stored);
+            }
+            memories.section_one.cut_power_at({1, bytes});
+            memories.section_other.cut_power_at({1, bytes});
+            Start before{memories};
+            store_in(before, named(newest));
+            const Start after{memories};
+            ASSERT_TRUE(after.is_good) << bytes;
+            const bool is_new = (bytes == length);
+            ASSERT_EQ(after.letter(), is_new ? newest : newest - 1) << bytes;
+            ASSERT_TRUE(!is_new || (after.store.refusal() == ParametersRefusal::none)) << bytes;
+        }
+    }
+}
+
+TEST(StoredSection, TornBeforeThereWasOneIsReported) {
+    Memories memories;
+    memories.section_one.cut_power_at({1, 200U});
+    Start before{memories};
+    EXPECT_EQ(before.store.refusal(), ParametersRefusal::none) << "a new control unit";
+    store_in(before, named('A'));
+    const Start after{memories};
+    EXPECT_FALSE(after.is_good);
+    EXPECT_EQ(after.store.refusal(), ParametersRefusal::checksum);
+}
+
+TEST(StoredSection, FlippedGivesWayToTheOneBeforeAndIsReported) {
+    Memories memories;
+    for (const char letter : {'A', 'B'}) {
+        Start start{memories};
+        store_in(start, named(letter));
+    }
+    for (std::size_t byte = 0U; byte < rsi::application::SectionRecord::length; ++byte) {
+        Memories damaged;
+        damaged.section_one.record() = memories.section_one.record();
+        damaged.section_other.record() = memories.section_other.record();
+        damaged.section_other.record()[byte] ^= 0x10U;
+        const Start older{damaged};
+        ASSERT_TRUE(older.is_good) << byte;
+        ASSERT_EQ(older.letter(), 'A') << byte;
+        ASSERT_EQ(older.store.refusal(), ParametersRefusal::checksum) << byte;
+        damaged.section_one.record()[byte] ^= 0x01U;
+        const Start none{damaged};
+        ASSERT_FALSE(none.is_good) << byte;
+        ASSERT_EQ(none.store.refusal(), ParametersRefusal::checksum) << byte;
+    }
+}
+
+TEST(StoredSection, CutOrUnreadableIsReported) {
+    for (const std::size_t length :
+         {std::size_t{1U}, section_length, rsi::application::SectionRecord::length + 1U}) {
+        Memories memories;
+        memories.section_one.record() = Bytes(length, 0x5AU);
+        const Start start{memories};
+        EXPECT_FALSE(start.is_good) << length;
+        EXPECT_EQ(start.store.refusal(), ParametersRefusal::checksum) << length;
+    }
+    Memories memories;
+    memories.section_other.set_unreadable(true);
+    const Start start{memories};
+    EXPECT_FALSE(start.is_good);
+    EXPECT_EQ(start.store.refusal(), ParametersRefusal::checksum);
+}
+
+// A whole record, of other software.
+TEST(StoredSection, ThatTheFirmwareRefusesIsReportedWithTheReason) {
+    const auto refusal = [](std::size_t byte, std::uint8_t bit) {
+        Bytes section = good_section();
+        section[byte] ^= bit;
+        rsi::application::SectionBytes bytes{};
+        section = with_checksum(section);
+        std::copy(section.begin(), section.end(), bytes.begin());
+        Memories memories;
+        rsi::application::SectionRecord record{memories.section_one, memories.section_other};
+        EXPECT_TRUE(record.write(bytes));
+        const Start start{memories};
+        EXPECT_FALSE(start.is_good);
+        return start.store.refusal();
+    };
+    EXPECT_EQ(refusal(0U, 1U), ParametersRefusal::missing);
+    EXPECT_EQ(refusal(rsi::application::section::version_at, 1U), ParametersRefusal::version);
+    EXPECT_EQ(refusal(rsi::application::section::layout_at, 1U), ParametersRefusal::layout);
+    EXPECT_EQ(refusal(rsi::application::section::length_at, 1U), ParametersRefusal::length);
+    EXPECT_EQ(refusal(rsi::application::section::values_at + 3U, 0x80U), ParametersRefusal::value);
 }
 
 TEST(SectionDownload, IsNotAcceptedWithoutATarget) {
     rsi::diagnosis::SectionDownload download;
     rsi::diagnosis::Response response;
     const Bytes request{0x34U, 0x00U, 0x11U, 0U, 1U};
-    EXPECT_EQ(download.begin({request.data(), request.size(), false}, response), Nrc::download_not_accepted);
+    EXPECT_EQ(download.begin({request.data(), request.size(), false}, true, response),
+              Nrc::download_not_accepted);
 }
 
 // A target that does what its interface says and no more.
@@ -263,7 +461,7 @@ TEST(SectionDownload, PutsEachByteOnceAndNoneBehindTheLast) {
     const Bytes first{0x36U, 1U, 10U, 11U, 12U, 13U, 14U, 15U};
     const Bytes second{0x36U, 2U, 16U, 17U, 18U, 19U};
     const Bytes exit{0x37U};
-    ASSERT_EQ(download.begin(ask(request), response), Nrc::none);
+    ASSERT_EQ(download.begin(ask(request), true, response), Nrc::none);
     EXPECT_EQ(download.transfer(ask(first), response), Nrc::none);
     EXPECT_EQ(download.transfer(ask(second), response), Nrc::none);
     EXPECT_EQ(download.end(ask(exit)), Nrc::none);
@@ -280,28 +478,31 @@ TEST(SectionStore, TakesSealedSectionsOnlyWhereTheBuildWantsThem) {
     rsi_test::CutStorage newest;
     rsi::application::SectionAuthority authority{keys, newest};
     authority.start();
-    rsi_test::CutStorage storage;
-    rsi::diagnosis::SectionStore store{storage, &authority};
+    rsi_test::CutStorage one;
+    rsi_test::CutStorage other;
+    rsi::application::SectionRecord record{one, other};
+    rsi::diagnosis::SectionStore store{record, &authority};
     ASSERT_EQ(store.length(), rsi::application::seal::sealed_length);
     Bytes section = good_section();
     section.resize(store.length());
     std::uint8_t reason = 0U;
-    const auto put = [&] {
-        for (std::size_t place = 0U; place < section.size(); ++place) {
-            store.put(place, section[place]);
-        }
-    };
-    put();
+    put(store, section);
     EXPECT_EQ(store.store(reason), rsi::diagnosis::SectionAnswer::refused);
     EXPECT_EQ(reason, static_cast<std::uint8_t>(rsi::application::ParametersRefusal::unauthentic));
     ASSERT_TRUE(rsi::application::seal_section(keys, 1U, section.data()));
-    put();
+    put(store, section);
     EXPECT_EQ(store.store(reason), rsi::diagnosis::SectionAnswer::stored);
     EXPECT_EQ(reason, 0U);
-    rsi::diagnosis::SectionStore again{storage, &authority};
+    rsi::application::SectionRecord next{one, other};
+    rsi::diagnosis::SectionStore again{next, &authority};
     EXPECT_TRUE(again.restore());
-    storage.record()[350] ^= 1U;
+
+    section[350] ^= 1U;  // its seal
+    rsi::application::SectionBytes bytes{};
+    std::copy(section.begin(), section.end(), bytes.begin());
+    ASSERT_TRUE(next.write(bytes));
     EXPECT_FALSE(again.restore());
+    EXPECT_EQ(again.refusal(), ParametersRefusal::unauthentic);
 }
 
 }  // namespace

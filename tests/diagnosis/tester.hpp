@@ -44,7 +44,8 @@ class CountingRandom final : public rsi::hal::RandomSource {
 struct Memories {
     rsi_test::CutStorage one{};
     rsi_test::CutStorage other{};
-    rsi_test::CutStorage section{};
+    rsi_test::CutStorage section_one{};
+    rsi_test::CutStorage section_other{};
     rsi_test::CutStorage attempts{};
 };
 
@@ -56,10 +57,12 @@ class Tester {
 
     explicit Tester(Memories& memories, bool is_new_cycle = true)
         : memories_{memories},
-          store_{memories.section},
+          section_{memories.section_one, memories.section_other},
+          store_{section_},
           access_{keys_, rsi::hal::KeySlot::diagnosis, random_, memories.attempts} {
         inputs.speed_mps = 0.0F;
         access_.start();
+        static_cast<void>(store_.restore());
         start(is_new_cycle);
     }
 
@@ -75,6 +78,7 @@ class Tester {
     // Parts of the ECU.
     rsi::Inputs inputs{};
     rsi::Outputs outputs{};
+    rsi::application::CalibrationIdentity calibration{};
     rsi::monitoring::Snapshot measured{};
 
     void fail(DiagnosticCode code) { failing_ |= rsi::monitoring::set_of(code); }
@@ -89,7 +93,7 @@ class Tester {
         for (std::size_t code = 1U; code < rsi::monitoring::diagnostic_code_count; ++code) {
             monitoring_.report(static_cast<DiagnosticCode>(code), ((failing_ >> code) & 1U) != 0U);
         }
-        diagnosis_->step(monitoring_, inputs, outputs);
+        diagnosis_->step(monitoring_, inputs, outputs, calibration);
         clock_.set(clock_.now() + rsi::hal::Time::from_milliseconds(10));
     }
     void cycles(int count) {
@@ -221,6 +225,7 @@ class Tester {
     rsi::hal::MemoryBus<2U> bus_{clock_};
     rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     CountingRandom random_{};
+    rsi::application::SectionRecord section_;
     rsi::diagnosis::SectionStore store_;
     rsi::access::SeedAndKey access_;
     rsi::diagnosis::Identification identification_{

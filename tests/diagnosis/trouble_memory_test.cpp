@@ -25,7 +25,7 @@ constexpr std::size_t row_of(DiagnosticCode code) {
 }
 constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                    // always judged
 constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);  // in driving
-constexpr std::size_t last_row = row_of(DiagnosticCode::imu_held_back);
+constexpr std::size_t last_row = row_of(DiagnosticCode::storage_failed);
 constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
 constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);
 constexpr std::uint8_t failing = status::test_failed | status::failed_this_cycle | status::pending |
@@ -79,7 +79,7 @@ TEST_F(Troubles, AFailureSetsItsBitsAndOnlyItsOwn) {
     }
     run(1);
     EXPECT_EQ(status_of(imu), 0x2EU);
-    run(1, set_of(DiagnosticCode::imu_held_back));
+    run(1, set_of(DiagnosticCode::storage_failed));
     EXPECT_EQ(status_of(last_row), 0x2FU);
 }
 
@@ -91,9 +91,32 @@ TEST_F(Troubles, EachFailureIsCountedOnceAndTheCountStands) {
         run(1, imu_failed);
     }
     EXPECT_EQ(memory_.state(imu).occurrences, 255U);
+    memory_.stored();
     run(1);
     run(1, imu_failed);
     EXPECT_EQ(memory_.state(imu).occurrences, 255U);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed) << "nothing that counts further";
+    memory_.start(true);
+    memory_.stored();
+    run(1, imu_failed);
+    EXPECT_EQ(memory_.storing(), Storing::now) << "the first of an operation cycle";
+}
+
+TEST_F(Troubles, ResetsAreCountedOverStartsAndNotOverOperationCycles) {
+    for (unsigned reset = 0U; reset < TroubleMemory::most_resets; ++reset) {
+        EXPECT_TRUE(memory_.takes_reset());
+        memory_.stored();
+        memory_.count_reset();
+        EXPECT_EQ(memory_.storing(), Storing::now);
+        memory_.start(false);
+    }
+    EXPECT_FALSE(memory_.takes_reset());
+    TroubleMemory other;
+    other.restore(memory_.stored_data());
+    other.start(false);
+    EXPECT_FALSE(other.takes_reset());
+    other.start(true);
+    EXPECT_TRUE(other.takes_reset());
 }
 
 // Without a failure for three seconds; what needs driving, after a minute of it.

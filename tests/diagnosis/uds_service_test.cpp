@@ -132,8 +132,8 @@ TEST_F(Uds, EverySessionChangeLocks) {
 TEST_F(Uds, AnUnlockedSessionDoesNotOutliveAStart) {
     tester_.unlock();
     tester_.start(false);
-    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
     ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
     EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'A')), no(0x2EU, 0x33U));
 }
 
@@ -143,6 +143,38 @@ TEST_F(Uds, NoProgrammingWhileTheVehicleMoves) {
     EXPECT_EQ(ask({0x10U, 0x03U})[0], 0x50U);
     tester_.inputs.speed_mps = 1.4F;
     EXPECT_EQ(ask({0x10U, 0x02U})[0], 0x50U);
+}
+
+// Without a speed, other sensors show that it moves; a speed that is there counts alone.
+TEST_F(Uds, NoProgrammingWhileTheVehicleTurns) {
+    tester_.inputs.speed_mps = rsi::not_available;
+    EXPECT_EQ(ask({0x10U, 0x02U})[0], 0x50U) << "as on a bench";
+    for (float rsi::Inputs::* const rate : {&rsi::Inputs::yaw_rate_radps, &rsi::Inputs::roll_rate_radps}) {
+        for (const float sign : {-1.0F, 1.0F}) {
+            tester_.inputs.speed_mps = rsi::not_available;
+            tester_.inputs.*rate = 0.11F * sign;
+            EXPECT_EQ(ask({0x10U, 0x02U}), no(0x10U, 0x22U));
+            tester_.inputs.*rate = 0.1F * sign;
+            EXPECT_EQ(ask({0x10U, 0x02U})[0], 0x50U);
+            tester_.inputs.*rate = 0.11F * sign;
+            tester_.inputs.speed_mps = 0.0F;
+            EXPECT_EQ(ask({0x10U, 0x02U})[0], 0x50U) << "on a turntable";
+        }
+        tester_.inputs.*rate = rsi::not_available;
+    }
+}
+
+TEST_F(Uds, NothingIsClearedOrWrittenWhileTheVehicleMoves) {
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(3);
+    tester_.unlock();
+    tester_.inputs.speed_mps = 20.0F;
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x22U));
+    EXPECT_EQ(ask(Bytes{0x14U} + imu_lost), no(0x14U, 0x22U));
+    EXPECT_EQ(ask({0x14U, 0x12U, 0x34U, 0x56U}), no(0x14U, 0x31U));
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'W')), no(0x2EU, 0x22U));
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x01U})[5], 1U);
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x90U}), Bytes({0x62U, 0xF1U, 0x90U}) + Bytes(17U, 0U));
 }
 
 // ---- reset
@@ -165,11 +197,25 @@ TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
     frame.data = {0x02U, 0x11U, 0x01U};
     tester_.diagnosis().listener().take(frame);
     tester_.set_bus_state(rsi::hal::BusState::bus_off);
-    tester_.cycle();
+    tester_.cycles(110);
     EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
     tester_.set_bus_state(rsi::hal::BusState::error_active);
-    tester_.cycle();
+    tester_.cycles(2);
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+// Each start has its limits anew, so that starts need one: over the operation cycle.
+TEST_F(Uds, ResetsAreLimitedInAnOperationCycle) {
+    for (int reset = 0; reset < 20; ++reset) {
+        ask({0x10U, 0x03U});
+        ASSERT_EQ(ask({0x11U, 0x01U}), (Bytes{0x51U, 0x01U})) << reset;
+        tester_.start(false);
+    }
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x11U, 0x01U}), no(0x11U, 0x22U));
+    switch_on_again();
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x11U, 0x01U}), (Bytes{0x51U, 0x01U}));
 }
 
 // Within a second of the record before; a loss of power would take it away.
@@ -311,6 +357,7 @@ TEST_F(Uds, ClearsWithTheKeyOnlyAndStoresThat) {
     tester_.heal(DiagnosticCode::imu_lost);
     tester_.heal(DiagnosticCode::roll_angle_lost);
     tester_.cycles(200);
+    ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
     tester_.unlock();
     EXPECT_EQ(ask(Bytes{0x14U} + imu_lost), (Bytes{0x54U}));
@@ -346,10 +393,28 @@ TEST_F(Uds, AMemoryThatTakesNothingIsSaid) {
     memories_.one.refuse(true);
     memories_.other.refuse(true);
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
+    tester_.cycles(200);
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x20U}));
+    EXPECT_TRUE(tester_.diagnosis().is_storage_failing());
     memories_.one.refuse(false);
     memories_.other.refuse(false);
+    tester_.cycles(1024);
+    ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x00U}));
+}
+
+// With the key too: no more than a memory lasts for, until the next operation cycle.
+TEST_F(Uds, OrdersAreLimitedOfAStart) {
+    tester_.unlock();
+    for (int order = 0; order < 100; ++order) {
+        tester_.cycles(100);
+        ASSERT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), (Bytes{0x54U})) << order;
+    }
+    const int writes = memories_.one.writes() + memories_.other.writes();
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x22U));
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'W')), no(0x2EU, 0x22U));
+    tester_.cycles(200);
+    EXPECT_EQ(memories_.one.writes() + memories_.other.writes(), writes);
 }
 
 // While it waits for the memory, neither another request nor a functional one gets between.
@@ -442,6 +507,16 @@ TEST_F(Uds, TellsWhatItIs) {
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x97U}), Bytes({0x62U, 0xF1U, 0x97U}) + text("Rollover warning", 16U));
 }
 
+// That of the section in use, where there is one, and of the values themselves.
+TEST_F(Uds, TellsTheCalibrationInUse) {
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0xA0U}), (Bytes{0x62U, 0xF1U, 0xA0U, 0U, 0U, 0U, 0U}));
+    tester_.calibration.checksum = 0x89ABCDEFU;
+    const Bytes name = text("van, winter", 48U);
+    std::copy(name.begin(), name.end(), tester_.calibration.name.begin());
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0xA0U}), (Bytes{0x62U, 0xF1U, 0xA0U, 0x89U, 0xABU, 0xCDU, 0xEFU}));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x82U}), Bytes({0x62U, 0xF1U, 0x82U}) + name);
+}
+
 TEST_F(Uds, TellsEveryOutputAndInput) {
     for (std::size_t number = 0U; number < rsi::number_outputs.size(); ++number) {
         tester_.outputs.*rsi::number_outputs[number].member = 0.1F + static_cast<float>(number);
@@ -504,6 +579,43 @@ TEST_F(Uds, WritesIdentificationWithTheKeyOnlyAndStoresIt) {
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x99U}), (Bytes{0x62U, 0xF1U, 0x99U, 0x20U, 0x26U, 0x11U, 0x25U}));
 }
 
+TEST_F(Uds, TakesNumbersOfVehiclesOnly) {
+    tester_.unlock();
+    const auto write = [&](const Bytes& number) { return ask(Bytes{0x2EU, 0xF1U, 0x90U} + number); };
+    const Bytes good{'W', 'V', 'W', 'Z', 'Z', 'Z', '1', 'J', 'A', '0', '9', 'W', '0', '0', '0', '0', '1'};
+    EXPECT_EQ(write(good), (Bytes{0x6EU, 0xF1U, 0x90U}));
+    for (const std::size_t place : {std::size_t{0U}, std::size_t{16U}}) {
+        for (const char wrong : {'I', 'O', 'Q', 'a', 'z', '/', ':', '@', '[', ' ', '\0', '\xFF'}) {
+            Bytes number = good;
+            number[place] = static_cast<std::uint8_t>(wrong);
+            EXPECT_EQ(write(number), no(0x2EU, 0x31U)) << wrong;
+        }
+    }
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x90U}), Bytes({0x62U, 0xF1U, 0x90U}) + good);
+}
+
+TEST_F(Uds, TakesDatesOnly) {
+    tester_.unlock();
+    const auto is_taken = [&](const Bytes& date) {
+        const Bytes answer = ask(Bytes{0x2EU, 0xF1U, 0x99U} + date);
+        EXPECT_TRUE(answer == no(0x2EU, 0x31U) || answer == Bytes({0x6EU, 0xF1U, 0x99U}));
+        return answer[0] == 0x6EU;
+    };
+    for (const Bytes& good : {Bytes{0x20U, 0x00U, 0x01U, 0x01U}, Bytes{0x20U, 0x99U, 0x12U, 0x31U},
+                              Bytes{0x20U, 0x28U, 0x02U, 0x29U}, Bytes{0x20U, 0x26U, 0x04U, 0x30U}}) {
+        EXPECT_TRUE(is_taken(good));
+    }
+    for (const Bytes& bad : {Bytes{0x19U, 0x99U, 0x12U, 0x31U}, Bytes{0x20U, 0x9AU, 0x12U, 0x31U},
+                             Bytes{0x20U, 0xA0U, 0x12U, 0x31U}, Bytes{0x20U, 0x26U, 0x00U, 0x01U},
+                             Bytes{0x20U, 0x26U, 0x13U, 0x01U}, Bytes{0x20U, 0x26U, 0x12U, 0x00U},
+                             Bytes{0x20U, 0x26U, 0x12U, 0x32U}, Bytes{0x20U, 0x26U, 0x02U, 0x29U},
+                             Bytes{0x20U, 0x28U, 0x02U, 0x30U}, Bytes{0x20U, 0x26U, 0x04U, 0x31U},
+                             Bytes{0x20U, 0x28U, 0x04U, 0x31U}, Bytes{0x20U, 0x26U, 0x12U, 0x1FU},
+                             Bytes{0xFFU, 0xFFU, 0xFFU, 0xFFU}, Bytes{0U, 0U, 0U, 0U}}) {
+        EXPECT_FALSE(is_taken(bad)) << unsigned{bad[1]} << ' ' << unsigned{bad[2]} << ' ' << unsigned{bad[3]};
+    }
+}
+
 // ---- access
 
 TEST_F(Uds, TheKeyOfTheSeedUnlocksAndNoOther) {
@@ -556,7 +668,7 @@ TEST(UdsWithoutAccess, NothingIsUnlockedAndNoSectionTaken) {
         bus.endpoint(1U).send(frame);
         bus.endpoint(0U).receive(frame);
         diagnosis.listener().take(frame);
-        diagnosis.step(memory, {}, {});
+        diagnosis.step(memory, {}, {}, {});
         bus.endpoint(1U).receive(frame);
         return Bytes(frame.data.begin() + 1, frame.data.begin() + 1 + frame.data[0]);
     };
@@ -647,6 +759,19 @@ TEST(UdsBesideTheEcu, TakesItsFramesFromTheBusAndGivesThemBack) {
 
 // ---- self test
 
+// Without a key, and while it drives.
+TEST_F(Uds, TheSelfTestWritesNothing) {
+    tester_.cycles(500);
+    tester_.inputs.speed_mps = 20.0F;
+    ask({0x10U, 0x03U});
+    const int writes = memories_.one.writes() + memories_.other.writes();
+    for (int second = 0; second < 60; ++second) {
+        EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}).size(), 5U);
+        tester_.cycles(98);
+    }
+    EXPECT_EQ(memories_.one.writes() + memories_.other.writes(), writes);
+}
+
 TEST_F(Uds, TheSelfTestTellsWhatIsWrong) {
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x31U, 0x03U, 0x02U, 0x03U}), no(0x31U, 0x24U)) << "not yet run";
@@ -661,6 +786,8 @@ TEST_F(Uds, TheSelfTestTellsWhatIsWrong) {
                                                           {DiagnosticCode::clock_jump, 0x08U},
                                                           {DiagnosticCode::bus_error, 0x10U},
                                                           {DiagnosticCode::receive_overflow, 0x10U},
+                                                          {DiagnosticCode::stored_parameters_refused, 0x01U},
+                                                          {DiagnosticCode::storage_failed, 0x20U},
                                                           {DiagnosticCode::imu_lost, 0x00U}};
     for (const auto& [code, bit] : found) {
         tester_.fail(code);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/support/scratch_folder.hpp"
 
@@ -12,12 +13,13 @@ namespace testing_hal {
 namespace {
 
 using Record = std::array<std::uint8_t, 4>;
+using rsi::hal::Reading;
 
 class FileStorage : public ::testing::Test {
  protected:
     bool reads(const Record& expected) {
         Record record{};
-        return storage_.read(record.data(), record.size()) && record == expected;
+        return storage_.read(record.data(), record.size()) == Reading::stored && record == expected;
     }
     bool write(const Record& record) { return storage_.write(record.data(), record.size()); }
 
@@ -28,7 +30,7 @@ class FileStorage : public ::testing::Test {
 
 TEST_F(FileStorage, HasNothingBeforeTheFirstRecord) {
     Record record{};
-    EXPECT_FALSE(storage_.read(record.data(), record.size()));
+    EXPECT_EQ(storage_.read(record.data(), record.size()), Reading::never_written);
 }
 
 TEST_F(FileStorage, GivesTheNewestRecordToAnotherProcessToo) {
@@ -37,7 +39,7 @@ TEST_F(FileStorage, GivesTheNewestRecordToAnotherProcessToo) {
     EXPECT_TRUE(reads({5, 6, 7, 8}));
     rsi::hal::FileStorage other{path_.string()};
     Record record{};
-    EXPECT_TRUE(other.read(record.data(), record.size()));
+    EXPECT_EQ(other.read(record.data(), record.size()), Reading::stored);
     EXPECT_EQ(record, (Record{5, 6, 7, 8}));
 }
 
@@ -45,8 +47,22 @@ TEST_F(FileStorage, TakesNoRecordOfAnotherLength) {
     EXPECT_TRUE(write({1, 2, 3, 4}));
     std::array<std::uint8_t, 5> longer{};
     std::array<std::uint8_t, 3> shorter{};
-    EXPECT_FALSE(storage_.read(longer.data(), longer.size()));
-    EXPECT_FALSE(storage_.read(shorter.data(), shorter.size()));
+    EXPECT_EQ(storage_.read(longer.data(), longer.size()), Reading::unreadable);
+    EXPECT_EQ(storage_.read(shorter.data(), shorter.size()), Reading::unreadable);
+}
+
+// A record that is there and cannot be read is not taken for none.
+TEST_F(FileStorage, TellsAnEmptyFileOrNoneThatOpensFromOneThatNeverWas) {
+    std::ofstream{path_};
+    Record record{};
+    EXPECT_EQ(storage_.read(record.data(), record.size()), Reading::unreadable);
+    std::filesystem::remove(path_);
+    std::filesystem::create_directory(path_);
+    EXPECT_EQ(storage_.read(record.data(), record.size()), Reading::unreadable);
+    const std::filesystem::path file = folder_.path() / "file";
+    std::ofstream{file};
+    rsi::hal::FileStorage below_a_file{(file / "record.bin").string()};
+    EXPECT_EQ(below_a_file.read(record.data(), record.size()), Reading::unreadable);
 }
 
 TEST_F(FileStorage, LeavesNoOtherFile) {

@@ -6,13 +6,14 @@
 namespace {
 
 using Record = std::array<std::uint8_t, 4>;
+using rsi::hal::Reading;
 
 TEST(MemoryStorage, HasNothingBeforeTheFirstWrite) {
     rsi::hal::MemoryStorage<8U> storage;
     Record read{1U, 2U, 3U, 4U};
-    EXPECT_FALSE(storage.read(read.data(), read.size()));
+    EXPECT_EQ(storage.read(read.data(), read.size()), Reading::never_written);
     EXPECT_EQ(read, (Record{1U, 2U, 3U, 4U}));
-    EXPECT_FALSE(storage.read(read.data(), 1U));
+    EXPECT_EQ(storage.read(read.data(), 1U), Reading::never_written);
 }
 
 TEST(MemoryStorage, GivesBackWhatWasWrittenLast) {
@@ -20,11 +21,11 @@ TEST(MemoryStorage, GivesBackWhatWasWrittenLast) {
     Record read{};
     for (const Record& record : {Record{1U, 2U, 3U, 4U}, Record{9U, 8U, 7U, 6U}}) {
         ASSERT_TRUE(storage.write(record.data(), record.size()));
-        ASSERT_TRUE(storage.read(read.data(), read.size()));
+        ASSERT_EQ(storage.read(read.data(), read.size()), Reading::stored);
         EXPECT_EQ(read, record);
     }
     EXPECT_EQ(storage.writes(), 2U);
-    EXPECT_FALSE(storage.read(read.data(), 3U));
+    EXPECT_EQ(storage.read(read.data(), 3U), Reading::unreadable);
 }
 
 TEST(MemoryStorage, TakesNothingWhileBusyNorWhatIsTooLong) {
@@ -43,7 +44,7 @@ TEST(MemoryStorage, CanBeDamaged) {
     Record record{};
     ASSERT_TRUE(storage.write(record.data(), record.size()));
     storage.damage(2U);
-    ASSERT_TRUE(storage.read(record.data(), record.size()));
+    ASSERT_EQ(storage.read(record.data(), record.size()), Reading::stored);
     EXPECT_EQ(record, (Record{0U, 0U, 1U, 0U}));
 }
 

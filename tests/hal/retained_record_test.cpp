@@ -9,6 +9,7 @@ namespace {
 
 using Memory = rsi::hal::RetainedMemory<8U>;
 using Record = std::array<std::uint8_t, 4>;
+using rsi::hal::Reading;
 
 TEST(RetainedRecord, HasNothingInMemoryOfOneByteOverAndOver) {
     for (unsigned byte = 0U; byte <= 0xFFU; ++byte) {
@@ -17,7 +18,8 @@ TEST(RetainedRecord, HasNothingInMemoryOfOneByteOverAndOver) {
         rsi::hal::RetainedRecord<8U> record{memory};
         Record read{1U, 2U, 3U, 4U};
         for (const std::size_t length : {std::size_t{0U}, read.size()}) {
-            EXPECT_FALSE(record.read(read.data(), length)) << byte;
+            const Reading expected = (byte == 0U) ? Reading::never_written : Reading::unreadable;
+            EXPECT_EQ(record.read(read.data(), length), expected) << byte;
         }
         EXPECT_EQ(read, (Record{1U, 2U, 3U, 4U}));
     }
@@ -29,9 +31,9 @@ TEST(RetainedRecord, OutlivesTheObjectThatWroteIt) {
         EXPECT_TRUE(rsi::hal::RetainedRecord<8U>{memory}.write(written.data(), written.size()));
         rsi::hal::RetainedRecord<8U> after{memory};
         Record read{};
-        ASSERT_TRUE(after.read(read.data(), read.size()));
+        ASSERT_EQ(after.read(read.data(), read.size()), Reading::stored);
         EXPECT_EQ(read, written);
-        EXPECT_FALSE(after.read(read.data(), 3U)) << "another length than was written";
+        EXPECT_EQ(after.read(read.data(), 3U), Reading::unreadable) << "another length than was written";
     }
 }
 
@@ -43,7 +45,18 @@ TEST(RetainedRecord, TakesNothingThatIsTooLongAndReadsNoSuchLength) {
     EXPECT_TRUE(record.write(bytes.data(), 8U));
     memory.length = 9U;
     memory.inverted_length = ~memory.length;
-    EXPECT_FALSE(record.read(bytes.data(), bytes.size()));
+    EXPECT_EQ(record.read(bytes.data(), bytes.size()), Reading::unreadable);
+}
+
+// Half of its head set, as by a loss of power: a record was there.
+TEST(RetainedRecord, WithHalfOfItsHeadIsUnreadable) {
+    for (const bool first : {true, false}) {
+        Memory memory{};
+        (first ? memory.length : memory.inverted_length) = 4U;
+        rsi::hal::RetainedRecord<8U> record{memory};
+        Record read{};
+        EXPECT_EQ(record.read(read.data(), read.size()), Reading::unreadable);
+    }
 }
 
 }  // namespace

@@ -77,6 +77,8 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::vehicle_motion_two_senders, 1, 100},
     {DiagnosticCode::own_identifier_received, 1, 100},
     {DiagnosticCode::imu_held_back, 1, 100},
+    {DiagnosticCode::stored_parameters_refused, 1, 1},
+    {DiagnosticCode::storage_failed, 1, 1},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -255,7 +257,7 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::imu_held_back}) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::storage_failed}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

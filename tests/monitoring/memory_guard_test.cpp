@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "rsi/component.hpp"
 #include "tests/rsi/support/nominal.hpp"
@@ -85,7 +86,7 @@ TYPED_TEST(AMemoryGuard, KeepsWhatTheOwnerHasMadeOfIt) {
 TYPED_TEST(AMemoryGuard, DoesNoHarmWhereItIsItselfDamaged) {
     const TypeParam before = filled<TypeParam>();
     const MemoryGuard<TypeParam> sound{before};
-    constexpr std::size_t kept_and_sum = sizeof(TypeParam) + sizeof(std::uint32_t);
+    constexpr std::size_t kept_and_sum = sizeof(TypeParam) + 4U * sizeof(std::uint32_t);
     for (std::size_t byte = 0U; byte < kept_and_sum; ++byte) {
         for (unsigned bit = 0U; bit < 8U; ++bit) {
             TypeParam object = before;
@@ -96,6 +97,43 @@ TYPED_TEST(AMemoryGuard, DoesNoHarmWhereItIsItselfDamaged) {
             EXPECT_FALSE(guard.is_failing());
         }
     }
+}
+
+// Two words that are exchanged, or changed by as much in opposite directions: a plain sum would stay the
+// same.
+TYPED_TEST(AMemoryGuard, FindsChangesThatCompensateEachOther) {
+    const TypeParam before = filled<TypeParam>();
+    const std::size_t words = before.size();
+    for (std::size_t one = 0U; one < words; ++one) {
+        for (std::size_t other = one + 1U; (other < words) && (other < one + 32U); ++other) {
+            TypeParam object = before;
+            MemoryGuard<TypeParam> guard{object};
+            std::swap(object[one], object[other]);
+            ASSERT_TRUE(guard.restore(object)) << one << ' ' << other;
+            ASSERT_EQ(object, before);
+            object[one] += 0x0080'0000U;
+            object[other] -= 0x0080'0000U;
+            ASSERT_TRUE(guard.restore(object)) << one << ' ' << other;
+            object[one] ^= 0x8000'0000U;
+            object[other] ^= 0x8000'0000U;
+            ASSERT_TRUE(guard.restore(object)) << one << ' ' << other;
+            ASSERT_EQ(object, before);
+        }
+    }
+}
+
+// The copy is summed, too: where it has changed as well, neither of them is to be trusted.
+TYPED_TEST(AMemoryGuard, IsFailingWhereItsCopyHasChangedToo) {
+    TypeParam object = filled<TypeParam>();
+    MemoryGuard<TypeParam> guard{object};
+    rsi_test::flip(guard, sizeof(TypeParam) - 1U, 3U);
+    EXPECT_FALSE(guard.restore(object)) << "the object is as it was";
+    object.front() ^= 1U;
+    EXPECT_TRUE(guard.restore(object));
+    EXPECT_TRUE(guard.is_failing());
+    guard.keep(object);
+    EXPECT_FALSE(guard.restore(object));
+    EXPECT_FALSE(guard.is_failing());
 }
 
 // A bit that stays as it is, whatever is written.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "rsi/component.hpp"
@@ -154,6 +155,28 @@ TEST(CFace, NeitherResetNorChangeStartsARefusedComponent) {
         rsi_step(&component, &inputs, &outputs);
         ASSERT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
         ASSERT_TRUE(std::isnan(outputs.rsi));
+    }
+}
+
+// Memory before the first init, whatever fills it.
+TEST(CFace, AnObjectBeforeItsInitDoesNotWarn) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    const rsi_inputs inputs = rsi_test::at_rest();
+    for (int byte = 0; byte < 256; ++byte) {
+        rsi_component component;
+        std::memset(&component, byte, sizeof component);
+        rsi_reset(&component, &parameters);
+        rsi_outputs outputs{};
+        for (int k = 0; k < 3; ++k) {
+            rsi_step(&component, &inputs, &outputs);
+            ASSERT_EQ(outputs.state, RSI_STATE_UNAVAILABLE) << byte;
+            ASSERT_TRUE(std::isnan(outputs.rsi)) << byte;
+        }
+        ASSERT_EQ(rsi_init(&component, &parameters).accepted, 1);
+        for (int k = 0; k < 200; ++k) {
+            rsi_step(&component, &inputs, &outputs);
+        }
+        ASSERT_EQ(outputs.state, RSI_STATE_READY) << byte;
     }
 }
 

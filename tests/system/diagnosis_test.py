@@ -1,6 +1,7 @@
 """rsi-ecu --diagnosis on the interface, with a tester of a few lines on a raw socket, and by the kernel's ISO-TP: session, key,
 codes, restart."""
 
+import pathlib
 import socket
 import struct
 import tempfile
@@ -16,6 +17,7 @@ CLEAR = (0x14, b"\xFF\xFF\xFF")  # all codes
 EXTENDED = 0x03
 FAILS_NOW, CONFIRMED = 0x01, 0x08
 IMU_LOST = bytes.fromhex("D12087")
+STORED_PARAMETERS_REFUSED = bytes.fromhex("521746")
 VEHICLE_NUMBER = b"WVWZZZ1JZXW000001"
 LONGEST_ANSWER_S = 10.0  # of a busy machine
 LONGEST_MISSED_S = 60.0  # until a missing sensor is a code: 1 s of the ECU's cycles
@@ -141,7 +143,7 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(programs.protection(), "unsealed test keys")
             tester = self.workshop()
             tester.codes_with(IMU_LOST, FAILS_NOW | CONFIRMED)
-            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x33))
+            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x7F))
             self.assertEqual(tester.ask(0x27, 0x01), refused(0x27, 0x7F))
             self.assertEqual(tester.ask(0x10, EXTENDED), bytes.fromhex("5003003201F4"))
             self.assertEqual(len(tester.ask(0x27, 0x01)), 18)
@@ -153,6 +155,13 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(tester.ask(0x2E, b"\xF1\x90" + VEHICLE_NUMBER), b"\x6E\xF1\x90")
         with programs.Ecu(*self.options):
             self.assertEqual(self.workshop().ask(0x22, b"\xF1\x90"), b"\x62\xF1\x90" + VEHICLE_NUMBER)
+
+    @programs.repeated_if_machine_stands_still
+    def test_reports_a_stored_section_that_it_cannot_use(self):
+        (pathlib.Path(self.options[-1]) / "parameters_1.bin").write_bytes(b"RSIP")
+        with programs.Ecu(*self.options) as ecu:
+            self.assertIn("the section that was stored is not used: its CRC-32 is wrong", ecu.output)
+            self.workshop().codes_with(STORED_PARAMETERS_REFUSED, FAILS_NOW | CONFIRMED)
 
     @programs.repeated_if_machine_stands_still
     def test_understands_the_kernels_iso_tp(self):

@@ -73,8 +73,11 @@ class Ecu:
     def __init__(self, *options, interface=None):
         command = [self.PROGRAM, "--interface", interface or INTERFACE, *self.DEFAULTS, *options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.output = self.process.stdout.readline()
-        if "listening" not in self.output:
+        self.output = line = self.process.stdout.readline()
+        while line and "listening" not in line:  # a line on a stored section comes before
+            line = self.process.stdout.readline()
+            self.output += line
+        if not line:
             self.output += self.process.communicate()[0]
             raise RuntimeError(f"rsi-ecu did not start: {self.output}")
 

@@ -131,7 +131,7 @@ class Xcp(unittest.TestCase):
             master.write_float("warning_on", LOWER)
             master.demand(0xF9, 1)
             self.assertNotAlmostEqual(before, LOWER)
-        self.assertTrue((pathlib.Path(self.folder.name) / "xcp_parameters.bin").is_file())
+        self.assertTrue((pathlib.Path(self.folder.name) / "xcp_parameters_1.bin").is_file())
         with self.ecu() as ecu:
             self.assertIn(", with what XCP has stored in", ecu.output)
             master = self.master()

@@ -15,8 +15,9 @@ bool CountingRandom::fill(std::uint8_t* bytes, std::size_t length) noexcept {
 void Bench::restart() {
     access_.emplace(keys_, rsi::hal::KeySlot::calibration, random, attempts_);
     access_->start();
+    stored_.emplace(one, other);
     ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_, *access_, reference.data(), reference.size(),
-                 has_memory ? &storage_ : nullptr);
+                 has_memory ? &*stored_ : nullptr);
     static_cast<void>(ecu_->init());
 }
 

@@ -11,6 +11,7 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/ecu/application/calibrated_ecu.hpp"
+#include "tests/access/cut_storage.hpp"
 #include "tests/application/bench.hpp"
 
 extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
@@ -72,7 +73,6 @@ class Bench {
 
     const rsi::Parameters& used() { return ecu_->ecu().parameters(); }
     rsi::application::CalibratedEcu& ecu() { return *ecu_; }
-    rsi::hal::Storage& storage() { return storage_; }
 
     std::vector<Bytes> answers;  // answers, errors, events
     std::vector<Bytes> samples;
@@ -82,7 +82,8 @@ class Bench {
 
     CountingRandom random;
     bool has_memory{true};  // to store in, from the next restart on
-    rsi::hal::MemoryStorage<rsi::application::section::length> storage_;
+    rsi_test::CutStorage one;
+    rsi_test::CutStorage other;
     rsi::hal::MemoryBus<3U>::Endpoint& ecu_bus() { return bus_.endpoint(0U); }
     Bytes reference{rsi_parameter_section, rsi_parameter_section + rsi::application::section::length};
 
@@ -92,6 +93,7 @@ class Bench {
     testing_application::NoWatchdog watchdog_;
     rsi::hal::MemoryStorage<64U> attempts_;
     rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
+    std::optional<rsi::application::SectionRecord> stored_;
     std::optional<rsi::access::SeedAndKey> access_;
     std::optional<rsi::application::CalibratedEcu> ecu_;
     unsigned counter_{0U};

@@ -1,6 +1,8 @@
 // The pages: what is written is used from a cycle's start on, as a whole, or not at all.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "rsi/parameters.hpp"
 #include "tests/xcp/bench.hpp"
 
@@ -309,16 +311,16 @@ TEST(Store, RefusesAPageThatNoStartWouldTake) {
     bench.connect_and_unlock();
     ASSERT_TRUE(bench.write_float("warning_on", 1.3F));
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x26}));
-    EXPECT_EQ(bench.storage_.writes(), 0U);
+    EXPECT_EQ(bench.one.writes(), 0);
     EXPECT_EQ(bench.answers.size(), 1U);
 }
 
 TEST(Store, TellsOfAMemoryThatTakesNothing) {
     Bench bench;
     bench.connect_and_unlock();
-    bench.storage_.set_busy(true);
+    bench.one.refuse(true);
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x33}));
-    bench.storage_.set_busy(false);
+    bench.one.refuse(false);
     EXPECT_EQ(bench.command({0xF9, 0x01}), good);
 }
 
@@ -334,39 +336,155 @@ TEST(Store, NeedsAMemory) {
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
 }
 
-TEST(Store, ThatIsDamagedGivesWayToTheReference) {
-    Bench bench;
-    bench.connect_and_unlock();
-    ASSERT_TRUE(bench.write_float("warning_on", 0.85F));
-    ASSERT_EQ(bench.command({0xF9, 0x01}), good);
-    bench.storage_.damage(100U);
-    bench.restart();
-    EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
-}
-
-// A memory that could not be read, whatever it has left in the buffer.
-class UnreadableStorage final : public rsi::hal::Storage {
- public:
-    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
-        rsi::Parameters parameters = image_parameters();
-        parameters.warning_on = 0.85F;
-        std::memcpy(bytes, rsi_parameter_section, length);
-        std::memcpy(bytes + rsi::application::section::values_at +
-                        (Bench::address_of("warning_on") - map::parameters_at),
-                    &parameters.warning_on, sizeof parameters.warning_on);
-        rsi::application::section::put_checksum(bytes);
-        return false;
+// Code and frame with which the ECU reports the stored section, in the first cycle.
+struct Report {
+    explicit Report(Bench& bench) {
+        bench.cycle();
+        const rsi::application::RolloverEcu& ecu = bench.ecu().ecu();
+        has_code =
+            ecu.diagnostic_memory().confirmed(rsi::monitoring::DiagnosticCode::stored_parameters_refused);
+        for (const rsi::hal::CanFrame& frame : bench.others) {
+            if (frame.identifier == rsi::can_dbc::RolloverWarning::identifier) {
+                sent =
+                    rsi::can_dbc::decode<rsi::can_dbc::RolloverWarning>(frame.data).value.parameters_refusal;
+            } else if (frame.identifier == rsi::can_dbc::RolloverStatus::identifier) {
+                is_invalid =
+                    rsi::can_dbc::decode<rsi::can_dbc::RolloverStatus>(frame.data).value.parameters_invalid;
+            }
+        }
     }
-    bool write(const std::uint8_t*, std::size_t) noexcept override { return false; }
+
+    bool has_code{false};
+    bool is_invalid{true};
+    rsi::can_dbc::RolloverWarning::ParametersRefusal sent{};
 };
 
-TEST(Store, ThatCannotBeReadGivesWayToTheReference) {
+using Sent = rsi::can_dbc::RolloverWarning::ParametersRefusal;
+
+void store_warning_on(Bench& bench, float value) {
+    bench.connect_and_unlock();
+    ASSERT_TRUE(bench.write_float("warning_on", value));
+    ASSERT_EQ(bench.command({0xF9, 0x01}), good);
+}
+
+TEST(Store, IsTakenAHundredTimesInAStart) {
     Bench bench;
-    UnreadableStorage storage;
-    rsi::application::CalibrationPages pages{bench.ecu().ecu(), rsi_parameter_section,
-                                             rsi::application::section::length, &storage};
-    EXPECT_EQ(pages.init().refusal, rsi::application::ParametersRefusal::none);
+    bench.connect_and_unlock();
+    for (int time = 0; time < 100; ++time) {
+        ASSERT_EQ(bench.command({0xF9, 0x01}), good) << time;
+    }
+    EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
+    EXPECT_EQ(bench.one.writes() + bench.other.writes(), 100);
+    bench.restart();
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.command({0xF9, 0x01}), good);
+}
+
+// Its checksum is the one that XCP computes, before and after a change.
+TEST(CalibrationInUse, HasTheNameOfItsSectionAndTheChecksumOfItsValues) {
+    Bench bench;
+    bench.reference[rsi::application::section::name_at] = 'X';
+    rsi::application::section::put_checksum(bench.reference.data());
+    bench.restart();
+    bench.connect_and_unlock();
+    const auto checksum_of_xcp = [&] {
+        EXPECT_TRUE(bench.set_address(map::parameters_at));
+        const Bytes answer = bench.command(Bench::with_word({0xF3, 0, 0, 0}, map::parameters_length));
+        return answer.at(4U) | answer.at(5U) << 8U | answer.at(6U) << 16U |
+               static_cast<std::uint32_t>(answer.at(7U)) << 24U;
+    };
+    const auto in_use = [&]() -> const rsi::application::CalibrationIdentity& {
+        return bench.ecu().ecu().calibration();
+    };
+    const std::uint32_t before = checksum_of_xcp();
+    EXPECT_EQ(in_use().checksum, before);
+    EXPECT_EQ(in_use().name[0], 'X');
+    EXPECT_TRUE(std::equal(in_use().name.begin(), in_use().name.end(),
+                           bench.reference.begin() + rsi::application::section::name_at));
+    ASSERT_TRUE(bench.write_float("warning_on", 0.85F));
+    bench.cycles(2);
+    EXPECT_NE(checksum_of_xcp(), before);
+    EXPECT_EQ(in_use().checksum, checksum_of_xcp());
+
+    bench.ecu().ecu().init(image_parameters());
+    EXPECT_EQ(in_use().checksum, before);
+    EXPECT_EQ(in_use().name[0], 0U) << "it is of no section";
+    bench.restart();
+    EXPECT_EQ(in_use().name[0], 'X');
+    bench.ecu().ecu().init(bench.reference.data(), 10U);
+    EXPECT_EQ(in_use().name[0], 0U) << "one that is refused";
+}
+
+TEST(Store, IsReportedWhereItIsRefused) {
+    Bench bench;
+    EXPECT_FALSE(Report{bench}.has_code) << "nothing is stored";
+    store_warning_on(bench, 0.85F);
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, 0.85F);
+    EXPECT_FALSE(Report{bench}.has_code);
+
+    bench.one.record()[100] ^= 1U;
+    bench.restart();
     EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+    const Report report{bench};
+    EXPECT_TRUE(report.has_code);
+    EXPECT_EQ(report.sent, Sent::checksum);
+    EXPECT_FALSE(report.is_invalid) << "the image's are good";
+}
+
+TEST(Store, ThatIsDamagedGivesWayToTheOneBeforeAndIsReported) {
+    Bench bench;
+    store_warning_on(bench, 0.85F);
+    store_warning_on(bench, 0.86F);
+    bench.other.record()[100] ^= 1U;
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, 0.85F);
+    EXPECT_TRUE(Report{bench}.has_code);
+    store_warning_on(bench, 0.87F);
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, 0.87F);
+    EXPECT_FALSE(Report{bench}.has_code) << "the damaged one has been replaced";
+}
+
+TEST(Store, OfOtherSoftwareIsReportedWithTheReason) {
+    const auto report = [](std::size_t byte) {
+        rsi::application::SectionBytes bytes{};
+        std::copy_n(rsi_parameter_section, rsi::application::section::length, bytes.begin());
+        bytes[byte] ^= 0x80U;
+        rsi::application::section::put_checksum(bytes.data());
+        Bench bench;
+        rsi::application::SectionRecord record{bench.one, bench.other};
+        EXPECT_TRUE(record.write(bytes));
+        bench.restart();
+        const Report found{bench};
+        EXPECT_TRUE(found.has_code);
+        EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+        return found.sent;
+    };
+    EXPECT_EQ(report(rsi::application::section::version_at), Sent::version);
+    EXPECT_EQ(report(rsi::application::section::layout_at), Sent::layout);
+    EXPECT_EQ(report(rsi::application::section::values_at + 3U), Sent::value);
+}
+
+TEST(Store, ThatCannotBeReadGivesWayToTheReferenceAndIsReported) {
+    Bench bench;
+    store_warning_on(bench, 0.85F);
+    bench.one.set_unreadable(true);
+    bench.restart();
+    EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+    EXPECT_EQ(Report{bench}.sent, Sent::checksum);
+}
+
+// The image's own refusal is the one that makes the function unavailable.
+TEST(Store, ThatIsRefusedYieldsInTheFrameToARefusedReference) {
+    Bench bench;
+    bench.one.set_unreadable(true);
+    bench.reference[0] = 0U;
+    bench.restart();
+    const Report report{bench};
+    EXPECT_TRUE(report.has_code);
+    EXPECT_TRUE(report.is_invalid);
+    EXPECT_EQ(report.sent, Sent::missing);
 }
 
 // An image whose parameters contradict each other can be calibrated to work.

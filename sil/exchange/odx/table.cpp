@@ -28,6 +28,9 @@ void constants() {
     fmt::print("constant\tvehicle_number_identifier\t{}\n", rsi::diagnosis::vehicle_number_identifier);
     fmt::print("constant\tprogramming_date_identifier\t{}\n", rsi::diagnosis::programming_date_identifier);
     fmt::print("constant\tactive_session_identifier\t{}\n", rsi::diagnosis::active_session_identifier);
+    fmt::print("constant\tcalibration_checksum_identifier\t{}\n",
+               rsi::diagnosis::calibration_checksum_identifier);
+    fmt::print("constant\tsection_values_at\t{}\n", rsi::application::section::values_at);
     fmt::print("constant\tsection_length\t{}\n", rsi::application::section::length);
 }
 

@@ -125,7 +125,8 @@ SearchScenario FaultSearch::draw(std::uint64_t number, const SearchDrive& drive)
     scenario.end = stays ? size : std::min(size, scenario.begin + lasts);
     if (chance.between(0.0, 1.0) < share_intermittent) {
         scenario.burst = cycle_count(logarithmic(chance, shortest_burst_s, longest_burst_s));
-        scenario.period = scenario.burst + cycle_count(logarithmic(chance, longest_burst_s, longest_period_s));
+        scenario.period =
+            scenario.burst + cycle_count(logarithmic(chance, longest_burst_s, longest_period_s));
         scenario.end = size;
     }
     return scenario;

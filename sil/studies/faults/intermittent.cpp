@@ -69,7 +69,8 @@ IntermittentRun inject(const World& world, const Planned& planned) {
     }
     const FaultyRun& right = world.right.of(planned.fault);
     const FaultyRun faulty = run_with_fault(drive, planned.fault, world.vehicle->calibration);
-    IntermittentRun run{world.vehicle->name, world.name, planned.fault, planned.burst, planned.period, 0, 0, {}};
+    IntermittentRun run{
+        world.vehicle->name, world.name, planned.fault, planned.burst, planned.period, 0, 0, {}};
     const std::size_t third = drive.fault_begin + 2U * drive.fault_period;
     for (std::size_t cycle = drive.fault_begin; cycle < drive.samples.size(); ++cycle) {
         const EcuAnswer& was = *right.answers[cycle];
@@ -96,7 +97,8 @@ std::vector<IntermittentRun> run_intermittent_faults(const std::vector<Intermitt
         for (const char* const name : {"straight", "turns"}) {
             FaultedDrive drive;
             static_cast<RecordedDrive&>(drive) =
-                record_drive(vehicle.vehicle, everyday(name), {}, {recording_sensors(vehicle.vehicle)}).front();
+                record_drive(vehicle.vehicle, everyday(name), {}, {recording_sensors(vehicle.vehicle)})
+                    .front();
             drive.fault_end = drive.samples.size();
             worlds.push_back({&vehicle, name, drive, RightRuns{drive, vehicle.calibration}});
             for (const SensorSignal& signal : sensor_signals) {

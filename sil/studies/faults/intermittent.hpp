@@ -1,4 +1,5 @@
-// Intermittent faults: bursts of an error in one signal, once or again and again, on roads where no warning is due.
+// Intermittent faults: bursts of an error in one signal, once or again and again, on roads where no warning
+// is due.
 #pragma once
 
 #include <cstddef>
@@ -25,10 +26,11 @@ struct IntermittentRun {
     std::string drive{};
     Fault fault{};
     int burst_ms{0};
-    int period_ms{0};              // 0: a single burst
-    int false_warning_ms{0};       // in all: the ECU without the fault does not warn
-    int without_code_ms{0};        // of that, before the first code
-    std::optional<int> code_ms{};  // the first one, from the beginning of the third burst on; 0 if it came before
+    int period_ms{0};         // 0: a single burst
+    int false_warning_ms{0};  // in all: the ECU without the fault does not warn
+    int without_code_ms{0};   // of that, before the first code
+    std::optional<int>
+        code_ms{};  // the first one, from the beginning of the third burst on; 0 if it came before
 };
 
 inline constexpr int longest_unreported_ms = 300;

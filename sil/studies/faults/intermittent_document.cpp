@@ -15,10 +15,10 @@ namespace {
 struct Summary {
     std::size_t runs{0U};
     std::size_t repeating{0U};
-    std::size_t with_code{0U};   // of these
-    int latest_code_ms{0};       // of these, from the beginning of the third burst on
-    int false_warning_ms{0};     // the longest in a run
-    int without_code_ms{0};      // likewise
+    std::size_t with_code{0U};  // of these
+    int latest_code_ms{0};      // of these, from the beginning of the third burst on
+    int false_warning_ms{0};    // the longest in a run
+    int without_code_ms{0};     // likewise
 };
 
 std::string name_of(const Fault& fault) {
@@ -57,8 +57,8 @@ std::string intermittent_document(const std::vector<IntermittentRun>& runs, cons
     std::vector<std::pair<std::string, Summary>> rows;  // in the order of the runs
     for (const IntermittentRun& run : runs) {
         const std::string name = name_of(run.fault);
-        const auto held = std::find_if(rows.begin(), rows.end(),
-                                       [&name](const auto& each) { return each.first == name; });
+        const auto held =
+            std::find_if(rows.begin(), rows.end(), [&name](const auto& each) { return each.first == name; });
         add(held == rows.end() ? rows.emplace_back(name, Summary{}).second : held->second, run);
     }
     std::string table;
@@ -72,9 +72,10 @@ std::vector<std::string> intermittent_shortfalls(const std::vector<IntermittentR
     std::vector<std::string> found;
     for (const IntermittentRun& run : runs) {
         if (run.without_code_ms > longest_unreported_ms) {
-            found.push_back(fmt::format("{}, {}: {} of {} for {} ms every {} ms: false warning for {} ms without a code",
-                                        run.vehicle, run.drive, describe(run.fault), to_string(run.fault.place),
-                                        run.burst_ms, run.period_ms, run.without_code_ms));
+            found.push_back(
+                fmt::format("{}, {}: {} of {} for {} ms every {} ms: false warning for {} ms without a code",
+                            run.vehicle, run.drive, describe(run.fault), to_string(run.fault.place),
+                            run.burst_ms, run.period_ms, run.without_code_ms));
         }
     }
     return found;

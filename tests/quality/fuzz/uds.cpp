@@ -52,7 +52,8 @@ class Drive {
                 break;
             case 4U:
                 memories_.one.refuse(reader_.one_in(2U));
-                memories_.section.refuse(reader_.one_in(2U));
+                memories_.section_one.refuse(reader_.one_in(2U));
+                memories_.section_other.refuse(reader_.one_in(2U));
                 break;
             case 5U:
                 start_anew();
@@ -74,7 +75,8 @@ class Drive {
     }
 
     void end() {
-        require(has_used_the_key_ || memories_.section.record().empty(),
+        require(has_used_the_key_ ||
+                    (memories_.section_one.record().empty() && memories_.section_other.record().empty()),
                 "a section was stored without the key");
     }
 

@@ -181,7 +181,9 @@ class Session {
     rsi::hal::MemoryBus<2U> bus_{clock_};
     NoWatchdog watchdog_;
     rsi::hal::MemoryStorage<64U> attempts_;
-    rsi::hal::MemoryStorage<rsi::application::section::length> stored_;
+    rsi::hal::MemoryStorage<rsi::application::SectionRecord::length> one_;
+    rsi::hal::MemoryStorage<rsi::application::SectionRecord::length> other_;
+    rsi::application::SectionRecord stored_{one_, other_};
     PlainKeys keys_;
     CountingRandom random_;
     rsi::access::SeedAndKey access_{keys_, rsi::hal::KeySlot::calibration, random_, attempts_};

@@ -32,6 +32,7 @@ void SeedAndKey::start() noexcept {
     const bool is_good = (state != CountState::damaged) && (stored_count_ <= most_counted);
     wrong_keys_ = is_good ? stored_count_ : most_counted;
     delay_cycles_ = delay_cycles_after(wrong_keys_);
+    unlocks_left_ = most_unlocks;
     lock();
     is_started_ = true;
 }
@@ -45,7 +46,7 @@ void SeedAndKey::lock() noexcept {
 // save an attempt. Further seeds without a key write nothing, so requesting them does not wear the memory.
 bool SeedAndKey::give_seed(Block& seed) noexcept {
     has_seed_ = false;
-    if (!is_started_ || (delay_cycles_ > 0U)) {
+    if (!is_started_ || (delay_cycles_ > 0U) || (unlocks_left_ == 0U)) {
         return false;
     }
     Block fresh{};
@@ -71,6 +72,7 @@ KeyAnswer SeedAndKey::take_key(const Block& key) noexcept {
         return (delay_cycles_ > 0U) ? KeyAnswer::too_many_attempts : KeyAnswer::wrong_key;
     }
     is_unlocked_ = true;
+    --unlocks_left_;
     wrong_keys_ = 0U;
     static_cast<void>(
         store(0U));  // if it fails, the stored count stays too high, which errs on the safe side

@@ -34,8 +34,9 @@ class SeedAndKey {
     // Before the first cycle: reads the stored number of wrong keys. No seed is given before.
     [[gnu::cold]] void start() noexcept;
 
-    // False, with `seed` unchanged: start() has not been called, the delay runs, the random source fails, or
-    // the storage does not take the attempt. Invalidates any earlier seed, even then.
+    // False, with `seed` unchanged: start() has not been called, the delay runs, the random source fails, the
+    // storage does not take the attempt, or it has been unlocked so often since the start that more would
+    // wear the storage. Invalidates any earlier seed, even then.
     bool give_seed(Block& seed) noexcept;
 
     // Consumes the seed, whatever the result, and locks unless the key is right.
@@ -55,6 +56,8 @@ class SeedAndKey {
         }
     }
 
+    static constexpr std::uint32_t most_unlocks = 100U;  // of a start
+
  private:
     bool store(std::uint32_t wrong_keys) noexcept;
 
@@ -69,6 +72,7 @@ class SeedAndKey {
     std::uint32_t wrong_keys_{0U};    // since the last right one; saturates
     std::uint32_t stored_count_{0U};  // in attempts_; counts a seed that waits for its key as a wrong key
     std::uint32_t delay_cycles_{0U};  // left
+    std::uint32_t unlocks_left_{most_unlocks};
 };
 
 }  // namespace rsi::access

@@ -28,11 +28,13 @@ void put_u32(Record& record, std::size_t place, std::uint32_t word) {
 
 CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count) noexcept {
     Record record{};
-    if (!storage.read(record.data(), record.size())) {
+    const hal::Reading reading = storage.read(record.data(), record.size());
+    if (reading == hal::Reading::never_written) {
         return CountState::absent;
     }
     const std::uint32_t read = u32_at(record, count_at);
-    if ((u32_at(record, 0U) != static_cast<std::uint32_t>(what)) || (u32_at(record, inverted_at) != ~read)) {
+    if ((reading != hal::Reading::stored) || (u32_at(record, 0U) != static_cast<std::uint32_t>(what)) ||
+        (u32_at(record, inverted_at) != ~read)) {
         return CountState::damaged;
     }
     count = read;

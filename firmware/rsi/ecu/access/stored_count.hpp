@@ -24,8 +24,8 @@ enum class CountOf : std::uint32_t {
 };
 
 enum class CountState : std::uint8_t {
-    absent,   // never stored, or not readable
-    damaged,  // inconsistent, or the record of another quantity
+    absent,   // never stored
+    damaged,  // not readable, inconsistent, or the record of another quantity
     good,
 };
 

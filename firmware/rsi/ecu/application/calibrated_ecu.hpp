@@ -11,14 +11,14 @@ namespace rsi::application {
 class CalibratedEcu {
  public:
     // All must outlive the ECU. `section`, of which `length` bytes may be read, is the reference page;
-    // `storage` keeps the working page (nullptr: it cannot be stored).
+    // `stored` keeps the working page (nullptr: it cannot be stored).
     CalibratedEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog,
                   access::SeedAndKey& access, const std::uint8_t* section, std::size_t length,
-                  hal::Storage* storage,
+                  SectionRecord* stored,
                   const xcp::Identifiers& identifiers = xcp::default_identifiers) noexcept
         : bus_{bus},
           clock_{clock},
-          pages_{ecu_, section, length, storage},
+          pages_{ecu_, section, length, stored},
           slave_{pages_, access, identifiers},
           ecu_{bus, clock, watchdog} {
         static_cast<void>(ecu_.add_listener(slave_));

@@ -58,19 +58,39 @@ constexpr xcp::Target::Range name_range{map::name_at, static_cast<std::uint32_t>
 }  // namespace
 
 ParameterSectionAnswer CalibrationPages::init() noexcept {
-    if ((storage_ != nullptr) && storage_->read(working_.data(), working_.size())) {
-        const ParameterSectionAnswer stored = ecu_.init(working_.data(), working_.size());
-        if (stored.refusal == ParametersRefusal::none) {
-            is_usable_ = true;
-            return stored;
-        }
+    ParameterSectionAnswer answer{ParametersRefusal::missing, rsi::Validation{0, "", ""}};
+    if (start_with_stored(answer)) {
+        is_usable_ = true;
+        return answer;
     }
-    const ParameterSectionAnswer answer = ecu_.init(reference_, reference_length_);
+    answer = ecu_.init(reference_, reference_length_);
     is_usable_ = (answer.refusal == ParametersRefusal::none) || (answer.refusal == ParametersRefusal::value);
     if (is_usable_) {
-        std::memcpy(working_.data(), reference_, working_.size());
+        take_reference();
     }
     return answer;
+}
+
+// False where no good section is stored.
+bool CalibrationPages::start_with_stored(ParameterSectionAnswer& answer) noexcept {
+    if (stored_ == nullptr) {
+        return false;
+    }
+    const RecordState state = stored_->read(working_);
+    ecu_.report_stored_section(refusal_of(state));
+    if ((state != RecordState::good) && (state != RecordState::doubtful)) {
+        return false;
+    }
+    answer = ecu_.init(working_.data(), section::length);
+    if (answer.refusal != ParametersRefusal::none) {
+        ecu_.report_stored_section(answer.refusal);
+    }
+    return answer.refusal == ParametersRefusal::none;
+}
+
+void CalibrationPages::take_reference() noexcept {
+    working_ = SectionBytes{};
+    std::memcpy(working_.data(), reference_, section::length);
 }
 
 void CalibrationPages::go_on() noexcept {
@@ -187,7 +207,7 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     if (!is_usable_) {
         return xcp::Error::page_not_valid;
     }
-    std::memcpy(working_.data(), reference_, working_.size());
+    take_reference();
     piece_ends_at_ = 0U;
     if (selected_ == xcp::Page::working) {
         static_cast<void>(begin_change(working_.data()));
@@ -195,17 +215,18 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     return xcp::Error::none;
 }
 
-// Stores only a section that the next start would accept.
+// Stores only a section that the next start would accept, and only so often that the memory lasts.
 xcp::Error CalibrationPages::store() noexcept {
     section::put_checksum(working_.data());
     rsi::Parameters unused{};
-    if (!is_usable_ || (storage_ == nullptr)) {
+    if (!is_usable_ || (stored_ == nullptr) || (stores_left_ == 0U)) {
         return xcp::Error::access_denied;
     }
-    if (read_parameter_section(working_.data(), working_.size(), unused).refusal != ParametersRefusal::none) {
+    if (read_parameter_section(working_.data(), section::length, unused).refusal != ParametersRefusal::none) {
         return xcp::Error::page_not_valid;
     }
-    const bool taken = storage_->write(working_.data(), working_.size());
+    const bool taken = stored_->write(working_);
+    stores_left_ -= taken ? 1U : 0U;
     return taken ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
 }
 

@@ -6,8 +6,8 @@
 
 #include "rsi/ecu/application/parameter_section.hpp"
 #include "rsi/ecu/application/rollover_ecu.hpp"
+#include "rsi/ecu/application/section_record.hpp"
 #include "rsi/ecu/xcp/target.hpp"
-#include "rsi/hal/storage.hpp"
 #include "rsi/parameter_change.hpp"
 
 namespace rsi::application {
@@ -38,13 +38,13 @@ inline constexpr std::uint32_t name_at = 0x50000U;
 class CalibrationPages final : public xcp::Target {
  public:
     // All must outlive the pages. `reference`: a parameter section, of which `length` bytes may be read.
-    // Without `storage` (nullptr) store() is refused.
+    // Without `stored` (nullptr) store() is refused.
     CalibrationPages(RolloverEcu& ecu, const std::uint8_t* reference, std::size_t length,
-                     hal::Storage* storage) noexcept
-        : ecu_{ecu}, reference_{reference}, reference_length_{length}, storage_{storage} {}
+                     SectionRecord* stored) noexcept
+        : ecu_{ecu}, reference_{reference}, reference_length_{length}, stored_{stored} {}
 
     // Once, instead of RolloverEcu::init: starts with the stored section if it is accepted, else with the
-    // reference.
+    // reference. Has the ECU report a stored section that is refused.
     ParameterSectionAnswer init() noexcept;
 
     // Between two cycles: prepares a change, or hands it to the control unit.
@@ -67,8 +67,9 @@ class CalibrationPages final : public xcp::Target {
     Range name() const noexcept override;
 
  private:
-    using Section = std::array<std::uint8_t, section::length>;
-
+    static constexpr std::uint32_t most_stores = 100U;  // of a start
+    bool start_with_stored(ParameterSectionAnswer& answer) noexcept;
+    void take_reference() noexcept;
     [[gnu::cold]] void go_on() noexcept;
     bool begin_change(const std::uint8_t* section) noexcept;
     std::uint8_t byte_at(std::uint32_t address, xcp::Page page) const noexcept;
@@ -78,14 +79,15 @@ class CalibrationPages final : public xcp::Target {
     RolloverEcu& ecu_;
     const std::uint8_t* reference_;
     std::size_t reference_length_;
-    hal::Storage* storage_;
-    Section working_{};
+    SectionRecord* stored_;
+    SectionBytes working_{};
     bool is_usable_{false};  // the reference has the form of a section; its values may be refused
     xcp::Page selected_{xcp::Page::working};
     rsi::ParameterChange change_{};
     bool is_changing_{false};
     std::uint8_t refused_field_{0U};  // 0: none, else 1 + index in parameter_fields, then selection_fields
     std::uint32_t changes_{0U};       // taken over since the start
+    std::uint32_t stores_left_{most_stores};
     std::array<std::uint8_t, 4> piece_{};  // of a value that is incomplete
     std::uint32_t piece_ends_at_{0U};      // offset from parameters_at; a multiple of 4: no incomplete value
 };

@@ -21,8 +21,12 @@ void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& comp
     stored_ = component.learnt_load();
     LoadRecord record{};
     rsi::LearntLoad read{};
-    if ((storage_ != nullptr) && storage_->read(record.data(), record.size()) &&
-        read_load_record(record, parameters_check_word_, read) && component.restore_load(read, doubted)) {
+    const hal::Reading reading =
+        (storage_ == nullptr) ? hal::Reading::never_written : storage_->read(record.data(), record.size());
+    was_unreadable_ = (reading == hal::Reading::unreadable);
+    is_failing_ = was_unreadable_;
+    if ((reading == hal::Reading::stored) && read_load_record(record, parameters_check_word_, read) &&
+        component.restore_load(read, doubted)) {
         stored_ = read;
     }
 }
@@ -32,17 +36,23 @@ void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
 }
 
 // Stores a load that differs from the stored one, is certain enough, and comes a minute or more after the
-// last store.
+// last store and when the memory's pace allows it.
 void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
     hal::count_up(cycles_since_store_);
+    if ((storage_ == nullptr) || (cycles_since_store_ < least_cycles_between_stores)) {
+        return;
+    }
+    pace_.begin_cycle();
     const bool is_other = rsi::absolute(learnt.excess - stored_.excess) > worth_storing;
     const bool is_known = learnt.excess_deviation < known_deviation;
-    if ((storage_ == nullptr) || (cycles_since_store_ < least_cycles_between_stores) || !is_other ||
-        !is_known) {
+    if (!is_other || !is_known || !pace_.is_due()) {
         return;
     }
     const LoadRecord record = write_load_record(learnt, parameters_check_word_);
-    if (storage_->write(record.data(), record.size())) {
+    const bool is_taken = storage_->write(record.data(), record.size());
+    pace_.tried(is_taken);
+    is_failing_ = was_unreadable_ || pace_.is_failing();
+    if (is_taken) {
         stored_ = learnt;
         cycles_since_store_ = 0U;
     }

@@ -4,11 +4,13 @@
 #include <cstdint>
 
 #include "rsi/component.hpp"
+#include "rsi/ecu/application/write_pace.hpp"
 #include "rsi/hal/storage.hpp"
 
 namespace rsi::application {
 
-// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear.
+// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear. A
+// memory that refuses it is tried at a pace of its own.
 class LoadKeeper {
  public:
     // `storage` must outlive the keeper. Without one nothing is kept.
@@ -25,10 +27,19 @@ class LoadKeeper {
     // One cycle.
     void keep(const rsi::LearntLoad& learnt) noexcept;
 
+    // CRC-32 of the parameters for which it keeps loads.
+    std::uint32_t parameters_check_word() const noexcept { return parameters_check_word_; }
+
+    // The memory has refused a record for some time, or had one at the start that it did not give.
+    bool is_failing() const noexcept { return is_failing_; }
+
  private:
     hal::Storage* storage_{nullptr};
     std::uint32_t parameters_check_word_{0U};
     std::uint32_t cycles_since_store_{0U};
+    WritePace pace_{};
+    bool was_unreadable_{false};
+    bool is_failing_{false};
     rsi::LearntLoad stored_{};
 };
 

@@ -14,7 +14,8 @@ constexpr std::uint32_t start_cycles = 100U;
 constexpr monitoring::CodeSet of_rare_faults = monitoring::set_of(
     monitoring::DiagnosticCode::imu_two_senders, monitoring::DiagnosticCode::roll_angle_two_senders,
     monitoring::DiagnosticCode::vehicle_motion_two_senders,
-    monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back);
+    monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back,
+    monitoring::DiagnosticCode::stored_parameters_refused, monitoring::DiagnosticCode::storage_failed);
 
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
@@ -28,6 +29,7 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
     parameters_ = parameters;
+    calibration_.name = {};
     start_checks();
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
@@ -37,7 +39,7 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
     parameters_ = rsi::Parameters{};  // all zeros: the component refuses them if the section is bad
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
-    start_component(answer);
+    start_component(section, answer);
     protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
     return answer;
 }
@@ -46,7 +48,7 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
                                          SectionAuthority& authority) noexcept {
     parameters_ = rsi::Parameters{};
     const ParameterSectionAnswer answer = read_parameter_section(section, length, authority, parameters_);
-    start_component(answer);
+    start_component(section, answer);
     if (answer.refusal == ParametersRefusal::none) {
         static_cast<void>(authority.raise(section));  // if the storage is busy, the next start raises it
     }
@@ -54,14 +56,23 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
     return answer;
 }
 
-void RolloverEcu::start_component(const ParameterSectionAnswer& answer) noexcept {
+void RolloverEcu::start_component(const std::uint8_t* section,
+                                  const ParameterSectionAnswer& answer) noexcept {
     static_cast<void>(component_.init(parameters_));
+    if (answer.refusal == ParametersRefusal::none) {
+        for (std::size_t letter = 0U; letter < calibration_.name.size(); ++letter) {
+            calibration_.name[letter] = section[application::section::name_at + letter];
+        }
+    } else {
+        calibration_.name = {};
+    }
     start_checks();
     refusal_ = answer.refusal;
 }
 
 void RolloverEcu::start_checks() noexcept {
     restore_load();
+    calibration_.checksum = load_keeper_.parameters_check_word();
     component_guard_.keep(component_);
     parameter_guard_.start(parameters_);
     input_monitor_.start(parameters_);
@@ -83,6 +94,7 @@ void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
     }
     reception_.start(parameters_);
     load_keeper_.follow(parameters_);
+    calibration_.checksum = load_keeper_.parameters_check_word();
 }
 
 // After a warm reset the load is unchanged; after power-on it may have changed.
@@ -174,7 +186,12 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
     report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
     report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
            DiagnosticCode::vehicle_motion_damaged);
-    if (reception.has_rare_fault() || ((memory_.active_codes() & of_rare_faults) != 0U)) {
+    const bool is_refused = (stored_refusal_ != ParametersRefusal::none);
+    const bool is_failing = is_storage_failing_ || load_keeper_.is_failing();
+    if (reception.has_rare_fault() || is_refused || is_failing ||
+        ((memory_.active_codes() & of_rare_faults) != 0U)) {
+        memory_.report(DiagnosticCode::stored_parameters_refused, is_refused);
+        memory_.report(DiagnosticCode::storage_failed, is_failing);
         memory_.report(DiagnosticCode::imu_two_senders, reception.imu.two_senders);
         memory_.report(DiagnosticCode::roll_angle_two_senders, reception.roll_angle.two_senders);
         memory_.report(DiagnosticCode::vehicle_motion_two_senders, reception.vehicle_motion.two_senders);
@@ -185,7 +202,7 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
 
 void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {
     using monitoring::DiagnosticCode;
-    memory_.report(DiagnosticCode::parameters_refused, health.parameters_refusal != ParametersRefusal::none);
+    memory_.report(DiagnosticCode::parameters_refused, health.parameters_invalid);
     memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
     memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
     memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));
@@ -196,7 +213,9 @@ void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
     hal::count_up(cycle_overruns_, missed_cycles);
     const hal::BusStatistics statistics = bus_.statistics();
-    return Health{refusal_,
+    const bool is_refused = (refusal_ != ParametersRefusal::none);
+    return Health{is_refused ? refusal_ : stored_refusal_,
+                  is_refused,
                   receive_overflow(statistics),
                   bus_error(statistics),
                   missed_cycles > 0U,

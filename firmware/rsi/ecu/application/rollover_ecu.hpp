@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "rsi/component.hpp"
+#include "rsi/ecu/application/calibration_identity.hpp"
 #include "rsi/ecu/application/cycle_phase.hpp"
 #include "rsi/ecu/application/load_keeper.hpp"
 #include "rsi/ecu/application/parameter_section.hpp"
@@ -67,6 +68,16 @@ class RolloverEcu {
     // outlive the ECU.
     void use_storage(hal::Storage& storage) noexcept { load_keeper_.use(storage); }
 
+    // Before the first cycle, on a platform that can store a section: `refusal` is the reason for which the
+    // stored one is not used, though the ECU runs on the image's; `none`: nothing is stored, or all is well.
+    // Sets the code stored_parameters_refused, and is sent as ParametersRefusal.
+    void report_stored_section(ParametersRefusal refusal) noexcept { stored_refusal_ = refusal; }
+    ParametersRefusal stored_refusal() const noexcept { return stored_refusal_; }
+
+    // Each cycle, on a platform that stores more than the load: a memory takes no record, or has lost one.
+    // Sets the code storage_failed, as the memory of the load does.
+    void report_storage(bool is_failing) noexcept { is_storage_failing_ = is_failing; }
+
     // For XCP and diagnosis on the same bus: `listener` gets all received frames except those of the sensors,
     // and must outlive the ECU. False: there are two listeners already.
     bool add_listener(hal::FrameListener& listener) noexcept { return reception_.add_listener(listener); }
@@ -92,11 +103,14 @@ class RolloverEcu {
     // Outputs and qualified inputs of the last cycle, for diagnosis, measurement and recording.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
+    // Name and checksum of the parameters in use, for diagnosis.
+    const CalibrationIdentity& calibration() const noexcept { return calibration_; }
     // Findings of the monitoring, for diagnosis.
     const monitoring::DiagnosticMemory& diagnostic_memory() const noexcept { return memory_; }
 
  private:
-    [[gnu::cold]] void start_component(const ParameterSectionAnswer& answer) noexcept;
+    [[gnu::cold]] void start_component(const std::uint8_t* section,
+                                       const ParameterSectionAnswer& answer) noexcept;
     [[gnu::cold]] void restore_load() noexcept;
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
     void report_reception(const ReceptionReport& reception) noexcept;
@@ -122,11 +136,14 @@ class RolloverEcu {
     monitoring::MemoryGuard<rsi::Component> component_guard_{component_};
     monitoring::ClockCheck clock_check_{};
     LoadKeeper load_keeper_{};
+    CalibrationIdentity calibration_{};
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
+    ParametersRefusal stored_refusal_{ParametersRefusal::none};
     bool has_test_keys_{false};
     bool is_sending_{true};
+    bool is_storage_failing_{false};
     Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     hal::Time cycle_shift_{};

@@ -60,7 +60,7 @@ void fill(can_dbc::RolloverStatus& message, const Health& health) {
     message.vehicle_motion_signal_invalid = reception.vehicle_motion.signal_invalid;
     message.receive_overflow = health.receive_overflow;
     message.bus_error = health.bus_error;
-    message.parameters_invalid = (health.parameters_refusal != ParametersRefusal::none);
+    message.parameters_invalid = health.parameters_invalid;
     message.cycle_overrun = health.cycle_overrun;
     message.cycle_overruns = saturate(health.cycle_overruns);
     message.frames_rejected = saturate(reception.frames_rejected);

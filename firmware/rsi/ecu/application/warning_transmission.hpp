@@ -18,7 +18,8 @@ namespace rsi::application {
 
 // Health of platform and application in one cycle.
 struct Health {
-    ParametersRefusal parameters_refusal{ParametersRefusal::missing};
+    ParametersRefusal parameters_refusal{ParametersRefusal::missing};  // those in use, or the stored section
+    bool parameters_invalid{true};
     bool receive_overflow{false};
     bool bus_error{false};
     bool cycle_overrun{false};         // this cycle began late

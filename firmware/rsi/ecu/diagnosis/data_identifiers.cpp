@@ -25,7 +25,13 @@ bool read_identification(std::uint32_t identifier, const DataSources& sources, R
     const Identification& texts = sources.identification;
     switch (identifier) {
         case calibration_name_identifier:
-            return answer(identifier, texts.calibration_name, response);
+            return (sources.calibration.name[0] != '\0')
+                       ? answer(identifier, sources.calibration.name, response)
+                       : answer(identifier, texts.calibration_name, response);
+        case calibration_checksum_identifier:
+            response.put_u16(identifier);
+            response.put_u32(sources.calibration.checksum);
+            return true;
         case active_session_identifier:
             return answer(identifier, std::array<Session, 1>{sources.session}, response);
         case serial_number_identifier:
@@ -72,6 +78,38 @@ bool read_value(std::uint32_t identifier, const DataSources& sources, Response& 
     return true;
 }
 
+bool is_between(std::uint32_t number, std::uint32_t first, std::uint32_t last) {
+    return (number >= first) && (number <= last);
+}
+
+bool is_of_a_vehicle_number(std::uint8_t letter) {
+    const bool is_digit = is_between(letter, '0', '9');
+    const bool is_capital = is_between(letter, 'A', 'Z');
+    return is_digit || (is_capital && (letter != 'I') && (letter != 'O') && (letter != 'Q'));
+}
+
+constexpr std::uint32_t no_number = 100U;
+
+// Number of two decimal digits; no_number where one of them is none.
+std::uint32_t decimal(std::uint8_t byte) {
+    const std::uint32_t tens = std::uint32_t{byte} >> 4U;
+    const std::uint32_t ones = byte & 0x0FU;
+    return ((tens <= 9U) && (ones <= 9U)) ? (10U * tens + ones) : no_number;
+}
+
+// Century, year, month and day; years that can be divided by four are leap years until 2100.
+bool is_date(const Request& request, std::size_t place) {
+    constexpr std::array<std::uint8_t, 12> days{31U, 28U, 31U, 30U, 31U, 30U, 31U, 31U, 30U, 31U, 30U, 31U};
+    const std::uint32_t year = decimal(request.byte(place + 1U));
+    const std::uint32_t month = decimal(request.byte(place + 2U));
+    if ((decimal(request.byte(place)) != 20U) || (year == no_number) || !is_between(month, 1U, 12U)) {
+        return false;
+    }
+    const bool is_long = (month == 2U) && (year % 4U == 0U);
+    const std::uint32_t last = days[month - 1U] + (is_long ? 1U : 0U);
+    return is_between(decimal(request.byte(place + 3U)), 1U, last);
+}
+
 }  // namespace
 
 bool read_identifier(std::uint32_t identifier, const DataSources& sources, Response& response) noexcept {
@@ -85,6 +123,18 @@ std::size_t writable_length(std::uint32_t identifier) noexcept {
     return (identifier == programming_date_identifier)
                ? std::tuple_size<decltype(WrittenData::programming_date)>::value
                : 0U;
+}
+
+bool is_writable(std::uint32_t identifier, const Request& request, std::size_t place) noexcept {
+    if (identifier != vehicle_number_identifier) {
+        return is_date(request, place);
+    }
+    bool is_good = true;
+    for (std::size_t index = 0U; index < std::tuple_size<decltype(WrittenData::vehicle_number)>::value;
+         ++index) {
+        is_good = is_good && is_of_a_vehicle_number(request.byte(place + index));
+    }
+    return is_good;
 }
 
 void write_identifier(std::uint32_t identifier, const Request& request, std::size_t place,

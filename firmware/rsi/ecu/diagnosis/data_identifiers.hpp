@@ -1,7 +1,10 @@
 // Data identifiers: what ReadDataByIdentifier (22) and WriteDataByIdentifier (2E) know.
 //
-//   F182, F18C, F191, F195, F197   texts of the integration, filled up with zeros
+//   F182                           name of the calibration in use, filled up with zeros: of the section, else
+//                                  that of the integration
+//   F18C, F191, F195, F197         texts of the integration, likewise
 //   F186                           the session
+//   F1A0                           CRC-32 of the values in use, as XCP's BUILD_CHECKSUM has it
 //   F190, F199                     vehicle identification number, programming date (BCD): written, and kept
 //   1000 + n, 1100 + n             the outputs of the component: numbers (float) and codes (one byte), each
 //                                  in the order of rsi/output_table.hpp
@@ -14,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rsi/ecu/application/calibration_identity.hpp"
 #include "rsi/ecu/diagnosis/message.hpp"
 #include "rsi/ecu/diagnosis/uds.hpp"
 #include "rsi/output_table.hpp"
@@ -52,6 +56,7 @@ inline constexpr std::uint32_t system_name_identifier = 0xF197U;
 inline constexpr std::uint32_t active_session_identifier = 0xF186U;
 inline constexpr std::uint32_t vehicle_number_identifier = 0xF190U;
 inline constexpr std::uint32_t programming_date_identifier = 0xF199U;
+inline constexpr std::uint32_t calibration_checksum_identifier = 0xF1A0U;
 
 // Data written by a workshop.
 struct WrittenData {
@@ -95,6 +100,7 @@ constexpr std::array<Member, std::tuple_size<Table>::value> members_of(const Tab
 // Sources of the identifiers' data.
 struct DataSources {
     const Identification& identification;
+    const application::CalibrationIdentity& calibration;
     const WrittenData& written;
     const rsi::Inputs& inputs;
     const rsi::Outputs& outputs;
@@ -107,7 +113,12 @@ bool read_identifier(std::uint32_t identifier, const DataSources& sources, Respo
 // 0 where it cannot be written.
 std::size_t writable_length(std::uint32_t identifier) noexcept;
 
-// Takes the data, which are as long as that, from their place in the request.
+// True for data that may be written there: the letters and digits of a vehicle identification number (ISO
+// 3779, without I, O and Q), a date of this century. They are as long as that, from their place in the
+// request on.
+bool is_writable(std::uint32_t identifier, const Request& request, std::size_t place) noexcept;
+
+// Takes such data.
 void write_identifier(std::uint32_t identifier, const Request& request, std::size_t place,
                       WrittenData& written) noexcept;
 

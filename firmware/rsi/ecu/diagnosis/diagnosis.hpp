@@ -40,15 +40,17 @@ class Diagnosis {
 
     // After each step of the ECU.
     void step(application::RolloverEcu& ecu) noexcept {
-        step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs());
+        step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs(), ecu.calibration());
         ecu.set_sending(lets_ecu_send());
+        ecu.report_storage(is_storage_failing());
     }
 
-    // The same with the findings of an ECU, which asks lets_ecu_send() whether to send.
+    // The same with the findings of an ECU, which asks lets_ecu_send() whether to send and
+    // is_storage_failing().
     void step(const monitoring::DiagnosticMemory& memory, const rsi::Inputs& inputs,
-              const rsi::Outputs& outputs) noexcept {
+              const rsi::Outputs& outputs, const application::CalibrationIdentity& calibration) noexcept {
         kept_.codes().update(memory.confirmed_codes(), memory.snapshot(), inputs.speed_mps);
-        server_.step(memory.confirmed_codes(), inputs, outputs);
+        server_.step(memory.confirmed_codes(), inputs, outputs, calibration);
         kept_.end_cycle();
     }
 
@@ -59,6 +61,9 @@ class Diagnosis {
     bool is_reset_requested() const noexcept { return server_.is_reset_requested(); }
 
     Session session() const noexcept { return server_.session(); }
+
+    // Its memory takes no record, or has lost one.
+    bool is_storage_failing() const noexcept { return kept_.is_failing(); }
 
     // False while a tester keeps the ECU's own frames from the bus.
     bool lets_ecu_send() const noexcept { return server_.lets_ecu_send(); }

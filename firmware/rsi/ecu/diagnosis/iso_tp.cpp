@@ -180,13 +180,14 @@ void IsoTp::take_flow_control(const hal::CanFrame& frame) noexcept {
 }
 
 Request IsoTp::request() const noexcept {
-    if (functional_length_ != 0U) {
+    if ((functional_length_ != 0U) && !(physical_waits_ && was_functional_)) {
         return Request{functional_.data(), functional_length_, true};
     }
     return Request{physical_.data(), physical_waits_ ? physical_length_ : 0U, false};
 }
 
 void IsoTp::finish(const Request& request) noexcept {
+    was_functional_ = request.is_functional();
     if (request.is_functional()) {
         functional_length_ = 0U;
     } else {

@@ -32,9 +32,11 @@ class IsoTp final : public hal::FrameListener {
     // Any frame of the bus; foreign ones are left alone.
     void take(const hal::CanFrame& frame) noexcept override;
 
-    // The request that waits, the functional one first; length 0: none does. It stays until it is finished.
+    // The request that waits; length 0: none does. It stays until it is finished. If one of each kind
+    // waits, they take turns, so that neither keeps the other waiting.
     Request request() const noexcept;
     void finish(const Request& request) noexcept;
+    void drop_functional() noexcept { functional_length_ = 0U; }
 
     // Only while it is not sending. `response` has a byte at least, and neither moves nor changes while
     // is_sending().
@@ -86,6 +88,7 @@ class IsoTp final : public hal::FrameListener {
 
     std::array<std::uint8_t, 7> functional_{};
     std::size_t functional_length_{0U};  // 0: none waits
+    bool was_functional_{false};         // the request finished last
 
     const Response* response_{nullptr};
     std::size_t sent_{0U};

@@ -4,7 +4,13 @@ namespace rsi::diagnosis {
 
 void KeptData::restore() noexcept {
     KeptPayload payload{};
-    if (record_.read(payload) && (payload.layout == KeptPayload::present_layout)) {
+    const application::RecordState state = record_.read(payload);
+    const bool is_there =
+        (state == application::RecordState::good) || (state == application::RecordState::doubtful);
+    const bool is_known = is_there && (payload.layout == KeptPayload::present_layout);
+    is_lost_ = !is_known && (state != application::RecordState::never_written);
+    is_failing_ = is_lost_;
+    if (is_known) {
         codes_.restore(payload.codes);
         written_ = payload.written;
     }
@@ -12,7 +18,10 @@ void KeptData::restore() noexcept {
 
 void KeptData::store() noexcept {
     const KeptPayload payload{KeptPayload::present_layout, codes_.stored_data(), written_};
-    if (record_.write(payload)) {
+    const bool is_taken = record_.write(payload);
+    pace_.tried(is_taken);
+    is_failing_ = is_lost_ || pace_.is_failing();
+    if (is_taken) {
         codes_.stored();
         cycles_to_wait_ = cycles_to_store_counts;
     }

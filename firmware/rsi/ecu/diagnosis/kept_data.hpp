@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include "rsi/ecu/diagnosis/alternating_record.hpp"
+#include "rsi/ecu/application/alternating_record.hpp"
+#include "rsi/ecu/application/write_pace.hpp"
 #include "rsi/ecu/diagnosis/data_identifiers.hpp"
 #include "rsi/ecu/diagnosis/trouble_memory.hpp"
 
@@ -21,7 +22,7 @@ struct KeptPayload {
 class KeptData {
  public:
     // Bytes of each of the two places.
-    static constexpr std::size_t record_length = AlternatingRecord<KeptPayload>::length;
+    static constexpr std::size_t record_length = application::AlternatingRecord<KeptPayload>::length;
 
     // The places are used by this object only, take record_length bytes each, and outlive this object.
     KeptData(hal::Storage& one, hal::Storage& other) noexcept : record_{one, other} {}
@@ -30,15 +31,28 @@ class KeptData {
     [[gnu::cold]] void restore() noexcept;
 
     // Once a cycle: stores what is to be stored. New entries at once, though a second after the last record,
-    // which may still be on its way in the background; what only counts further once a minute.
+    // which may still be on its way in the background; what only counts further once a minute. A memory that
+    // refuses is tried at a pace of its own.
     void end_cycle() noexcept {
         if (cycles_to_wait_ > 0U) {
             --cycles_to_wait_;
         }
         const Storing storing = codes_.storing();
-        if ((storing != Storing::not_needed) && (cycles_to_wait_ <= longest_wait(storing))) {
-            store();
+        if (storing != Storing::not_needed) {
+            pace_.begin_cycle();
+            if ((cycles_to_wait_ <= longest_wait(storing)) && pace_.is_due()) {
+                store();
+            }
         }
+    }
+
+    // A change that a tester orders; false beyond the number that a start allows, so that the memory is not
+    // worn out.
+    bool has_orders_left() const noexcept { return orders_left_ > 0U; }
+    bool takes_order() noexcept {
+        const bool is_taken = has_orders_left();
+        orders_left_ -= is_taken ? 1U : 0U;
+        return is_taken;
     }
 
     TroubleMemory& codes() noexcept { return codes_; }
@@ -53,9 +67,13 @@ class KeptData {
     // All that was to be stored at once has been taken by the memory.
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 
- private:
-    using Record = AlternatingRecord<KeptPayload>;
+    // The memory has refused a record for some time, or had at the start only what could not be read.
+    bool is_failing() const noexcept { return is_failing_; }
 
+ private:
+    using Record = application::AlternatingRecord<KeptPayload>;
+
+    static constexpr std::uint32_t most_orders = 100U;
     static constexpr std::uint32_t least_cycles_between_records = 100U;
     static constexpr std::uint32_t cycles_to_store_counts = 6000U;
     static constexpr std::uint32_t wait_of_new_entries =
@@ -69,6 +87,10 @@ class KeptData {
     Record record_;
     TroubleMemory codes_{};
     WrittenData written_{};
+    application::WritePace pace_{};
+    bool is_lost_{false};
+    bool is_failing_{false};
+    std::uint32_t orders_left_{most_orders};
     std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };
 

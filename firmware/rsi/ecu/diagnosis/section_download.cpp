@@ -23,7 +23,9 @@ bool is_width(std::size_t bytes) {
 }  // namespace
 
 // The section is at address 0 of a memory that has nothing else.
-Nrc SectionDownload::begin(const Request& request, Response& response) noexcept {
+// A request that is repeated before the first block begins anew: its answer was lost. Later the transfer has
+// to be ended first, by a change of the session if not otherwise.
+Nrc SectionDownload::begin(const Request& request, bool is_allowed, Response& response) noexcept {
     if (request.length() < formats_length) {
         return Nrc::incorrect_length;
     }
@@ -43,6 +45,10 @@ Nrc SectionDownload::begin(const Request& request, Response& response) noexcept 
     const std::uint32_t length = number_at(request, formats_length + address_width, length_width);
     if ((address != 0U) || (length != target_->length())) {
         return Nrc::request_out_of_range;
+    }
+    const bool is_busy = (state_ == State::transferring) && (received_ != 0U);
+    if (!is_allowed || is_busy) {
+        return Nrc::conditions_not_correct;
     }
     state_ = State::transferring;
     received_ = 0U;

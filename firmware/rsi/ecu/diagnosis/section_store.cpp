@@ -3,7 +3,14 @@
 namespace rsi::diagnosis {
 
 bool SectionStore::restore() noexcept {
-    return storage_.read(bytes_.data(), length()) && (check() == application::ParametersRefusal::none);
+    const application::RecordState state = record_.read(bytes_);
+    refusal_ = application::refusal_of(state);
+    if ((state != application::RecordState::good) && (state != application::RecordState::doubtful)) {
+        return false;
+    }
+    const application::ParametersRefusal refusal = check();
+    refusal_ = (refusal != application::ParametersRefusal::none) ? refusal : refusal_;
+    return refusal == application::ParametersRefusal::none;
 }
 
 SectionAnswer SectionStore::store(std::uint8_t& reason) noexcept {
@@ -12,7 +19,7 @@ SectionAnswer SectionStore::store(std::uint8_t& reason) noexcept {
     if (refusal != application::ParametersRefusal::none) {
         return SectionAnswer::refused;
     }
-    return storage_.write(bytes_.data(), length()) ? SectionAnswer::stored : SectionAnswer::busy;
+    return record_.write(bytes_) ? SectionAnswer::stored : SectionAnswer::busy;
 }
 
 application::ParametersRefusal SectionStore::check() noexcept {

@@ -2,26 +2,28 @@
 // of the image from the next start on.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "rsi/ecu/application/section_authority.hpp"
+#include "rsi/ecu/application/section_record.hpp"
 #include "rsi/ecu/diagnosis/section_target.hpp"
-#include "rsi/hal/storage.hpp"
 
 namespace rsi::diagnosis {
 
 class SectionStore final : public SectionTarget {
  public:
-    // Both must outlive this object. `storage` takes a record of length() bytes. Without `authority` the
-    // build allows sections without a seal, and length() is that of one.
-    explicit SectionStore(hal::Storage& storage, application::SectionAuthority* authority = nullptr) noexcept
-        : storage_{storage}, authority_{authority} {}
+    // Both must outlive this object. Without `authority` the build allows sections without a seal, and
+    // length() is that of one.
+    explicit SectionStore(application::SectionRecord& record,
+                          application::SectionAuthority* authority = nullptr) noexcept
+        : record_{record}, authority_{authority} {}
 
-    // Before the first cycle. True when a section has been stored and is good: then section() has it, until
-    // the next download begins. The ECU checks it all the same.
+    // Before the first cycle, unless the calibration pages of the same record are initialised. True when a
+    // section has been stored and is good: then section() has it, until the next download begins. The ECU
+    // checks it all the same.
     [[gnu::cold]] bool restore() noexcept;
+    // Fault found by restore(), for RolloverEcu::report_stored_section; `none` also where nothing is stored.
+    application::ParametersRefusal refusal() const noexcept { return refusal_; }
     const std::uint8_t* section() const noexcept { return bytes_.data(); }
 
     std::size_t length() const noexcept override {
@@ -33,9 +35,10 @@ class SectionStore final : public SectionTarget {
  private:
     application::ParametersRefusal check() noexcept;
 
-    hal::Storage& storage_;
+    application::SectionRecord& record_;
     application::SectionAuthority* authority_;
-    std::array<std::uint8_t, application::seal::sealed_length> bytes_{};
+    application::SectionBytes bytes_{};  // the seal stays zero in a build without
+    application::ParametersRefusal refusal_{application::ParametersRefusal::none};
 };
 
 }  // namespace rsi::diagnosis

@@ -70,7 +70,7 @@ struct Service {
 inline constexpr std::array<Service, 14> services{{
     {service_id::session_control, in::all, false, true, SubFunction::listed},
     {service_id::reset, in::not_standard, false, true, SubFunction::listed},
-    {service_id::clear_codes, in::all, true, true, SubFunction::none},
+    {service_id::clear_codes, in::not_standard, true, true, SubFunction::none},
     {service_id::read_codes, in::all, false, true, SubFunction::listed},
     {service_id::read_data, in::all, false, true, SubFunction::none},
     {service_id::security_access, in::not_standard, false, false, SubFunction::listed},

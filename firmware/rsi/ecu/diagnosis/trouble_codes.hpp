@@ -109,6 +109,8 @@ inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
     row(DiagnosticCode::vehicle_motion_two_senders, 0xD122U, failure_type::bus_message, Judged::always),
     row(DiagnosticCode::own_identifier_received, 0xD0D0U, failure_type::bus_message, Judged::always),
     row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility, Judged::always),
+    row(DiagnosticCode::stored_parameters_refused, 0x5217U, failure_type::calibration_memory, Judged::always),
+    row(DiagnosticCode::storage_failed, 0x5217U, failure_type::data_memory, Judged::always),
 };
 
 constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>& table) {

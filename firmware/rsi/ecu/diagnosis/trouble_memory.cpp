@@ -6,6 +6,7 @@ namespace {
 using monitoring::CodeSet;
 
 constexpr std::uint32_t cycles_per_second = 100U;
+constexpr std::uint8_t most_occurrences = 255U;
 constexpr CodeSet bit_of(std::size_t row) {
     return CodeSet{2U} << row;  // the codes count from 1
 }
@@ -15,7 +16,7 @@ constexpr std::uint8_t code_of(std::size_t row) {
 }
 
 std::uint8_t count_up(std::uint8_t count) {
-    return static_cast<std::uint8_t>(count + ((count < 255U) ? 1U : 0U));
+    return static_cast<std::uint8_t>(count + ((count < most_occurrences) ? 1U : 0U));
 }
 
 void set_bits(std::uint8_t& byte, std::uint8_t bits) {
@@ -71,6 +72,9 @@ void TroubleMemory::start(bool is_new_cycle) noexcept {
         }
         clear_bits(data_.states[row].status, status::test_failed);
     }
+    if (is_new_cycle) {
+        data_.states[resets_at].occurrences = 0U;
+    }
     failed_ = 0U;
     cycles_ = 0U;
     good_cycles_ = 0U;
@@ -120,8 +124,15 @@ void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& meas
 
 void TroubleMemory::fail(std::size_t row) noexcept {
     TroubleState& state = data_.states[row];
-    // Repeated failures in one operation cycle do not wear the memory out.
-    request_storing(has(state.status, status::failed_this_cycle) ? Storing::later : Storing::now);
+    // Repeated failures in one operation cycle do not wear the memory out, and beyond the largest count they
+    // change nothing that it would have to keep.
+    if (!has(state.status, status::failed_this_cycle)) {
+        request_storing(Storing::now);
+    } else if (state.occurrences < most_occurrences) {
+        request_storing(Storing::later);
+    } else {
+        // it stands
+    }
     set_bits(state.status, status::failure);
     clear_bits(state.status, status::cleared);
     state.occurrences = count_up(state.occurrences);

@@ -58,6 +58,7 @@ enum class Storing : std::uint8_t { not_needed, later, now };
 class TroubleMemory {
  public:
     static constexpr std::size_t snapshot_places = 8U;
+    static constexpr std::uint8_t most_resets = 20U;
     static constexpr std::uint8_t ageing_cycles = 40U;  // a confirmed code is forgotten after so many
 
     // Before the first cycle, after what was stored has been restored. `is_new_cycle`: an operation cycle
@@ -90,14 +91,21 @@ class TroubleMemory {
     // nullptr where there is none: never failed, or displaced by newer ones.
     const TroubleSnapshots* snapshots(std::size_t row) const noexcept;
 
+    // Limit of the resets by testers in an operation cycle, because each start has its other limits anew.
+    bool takes_reset() const noexcept { return data_.states[resets_at].occurrences < most_resets; }
+    void count_reset() noexcept {
+        ++data_.states[resets_at].occurrences;
+        request_storing(Storing::now);
+    }
+
     Storing storing() const noexcept { return storing_; }
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    // Stored form: bytes without gaps, the same on every target. With room for all codes that a CodeSet
-    // can hold, so that software with another one more reads what this one has stored.
+    // Stored form: bytes without gaps, the same on every target. With room for all codes that a CodeSet can
+    // hold but the last, so that software with another one more reads what this one has stored.
     static constexpr std::size_t most_codes = 63U;
-    static_assert(trouble_code_count <= most_codes);
+    static_assert(trouble_code_count < most_codes);
     struct Stored {
         std::array<TroubleState, most_codes> states{};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
@@ -116,6 +124,8 @@ class TroubleMemory {
     // that ordinary driving can meet have been.
     static constexpr std::uint32_t driven_cycles_to_judge = 6000U;
     static constexpr float driving_speed_mps = 10.0F;
+    // The last state is of no code: its occurrences are the resets by testers in this operation cycle.
+    static constexpr std::size_t resets_at = most_codes - 1U;
 
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
     void take_change(monitoring::CodeSet failed, const monitoring::Snapshot& measured,

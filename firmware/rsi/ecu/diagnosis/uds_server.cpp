@@ -11,6 +11,7 @@ constexpr std::uint32_t late_response_milliseconds = 5000U;  // P2*
 constexpr std::uint32_t cycles_to_say_later = 3U;            // within P2
 constexpr std::uint32_t most_wait_cycles = 450U;             // within P2*
 constexpr float standing_mps = 1.4F;
+constexpr float turning_radps = 0.1F;
 
 constexpr std::uint8_t suppress_positive = 0x80U;
 constexpr std::uint8_t start_routine = 0x01U;
@@ -54,15 +55,24 @@ bool is_sent_to_functional(Nrc code) {
            (code != Nrc::request_out_of_range) && (code != Nrc::service_not_in_session);
 }
 
-// An unknown speed counts as zero, so that the ECU can be serviced on a bench.
-bool is_moving(const EcuState& ecu) {
-    return ecu.inputs.speed_mps > standing_mps;
-}
-
 // A measured standstill: switching the warning off needs proof, not just the absence of a speed.
 bool is_standing(const EcuState& ecu) {
     return ecu.inputs.speed_mps <= standing_mps;
 }
+
+bool is_beyond(float value, float limit) {
+    return (value > limit) || (value < -limit);
+}
+
+// Without a speed, rates that no parked vehicle has show motion. Without these too it counts as at rest, so
+// that the ECU can be serviced on a bench; what is done then needs the key, or has a limit.
+bool is_moving(const EcuState& ecu) {
+    const bool is_turning = is_beyond(ecu.inputs.yaw_rate_radps, turning_radps) ||
+                            is_beyond(ecu.inputs.roll_rate_radps, turning_radps);
+    return (ecu.inputs.speed_mps > standing_mps) || (is_turning && !is_standing(ecu));
+}
+
+constexpr monitoring::CodeSet storage_failed = monitoring::set_of(monitoring::DiagnosticCode::storage_failed);
 
 std::uint8_t bit_where(monitoring::CodeSet failed, monitoring::CodeSet codes, std::uint8_t bit) {
     return ((failed & codes) != 0U) ? bit : std::uint8_t{0U};
@@ -72,9 +82,10 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
     using monitoring::DiagnosticCode;
     using monitoring::set_of;
     const std::uint32_t found =
-        std::uint32_t{
-            bit_where(failed, set_of(DiagnosticCode::parameters_refused, DiagnosticCode::parameters_damaged),
-                      self_test::parameters)} |
+        std::uint32_t{bit_where(failed,
+                                set_of(DiagnosticCode::parameters_refused, DiagnosticCode::parameters_damaged,
+                                       DiagnosticCode::stored_parameters_refused),
+                                self_test::parameters)} |
         bit_where(failed, set_of(DiagnosticCode::memory_restored), self_test::memory) |
         bit_where(failed, set_of(DiagnosticCode::estimate_out_of_range, DiagnosticCode::output_not_finite),
                   self_test::computing) |
@@ -83,7 +94,8 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
             set_of(DiagnosticCode::cycle_overrun, DiagnosticCode::cycle_stall, DiagnosticCode::clock_jump),
             self_test::timing) |
         bit_where(failed, set_of(DiagnosticCode::bus_error, DiagnosticCode::receive_overflow),
-                  self_test::bus);
+                  self_test::bus) |
+        bit_where(failed, storage_failed, self_test::storing);
     return static_cast<std::uint8_t>(found);
 }
 
@@ -98,7 +110,7 @@ void UdsServer::work(const EcuState& ecu) noexcept {
     const Request request = transport_.request();
     if (waiting_ != Waiting::nothing) {
         drop_functional_request();
-        wait_for_storage();
+        wait_for_storage(ecu);
     } else if (transport_.is_sending()) {
         drop_functional_request();
     } else if (request.length() != 0U) {
@@ -138,14 +150,18 @@ void UdsServer::switch_all_on() noexcept {
 
 // Functional requests are dropped while another request is in progress, "tester present" too.
 void UdsServer::drop_functional_request() noexcept {
-    const Request request = transport_.request();
     const bool is_waited_for = (waiting_ != Waiting::nothing) && waiting_for_.is_functional();
-    if (request.is_functional() && !is_waited_for) {
-        transport_.finish(request);
+    if (!is_waited_for) {
+        transport_.drop_functional();
     }
 }
 
 void UdsServer::serve(const Request& request, const EcuState& ecu) noexcept {
+    constexpr std::uint32_t response_bit = 0x40U;
+    if ((request.service() & response_bit) != 0U) {  // the answer of another control unit
+        transport_.finish(request);
+        return;
+    }
     idle_cycles_ = 0U;
     begin_answer(request, 0U);
     const Nrc code = check_and_run(request, ecu);
@@ -219,9 +235,9 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::session_control:
             return session_control(request, ecu);
         case service_id::reset:
-            return reset(request, ecu);
+            return reset(ecu);
         case service_id::clear_codes:
-            return clear_codes(request);
+            return clear_codes(request, ecu);
         case service_id::read_codes:
             return report_codes(request.sub_function(), request, kept_.codes(), response_);
         case service_id::read_data:
@@ -231,15 +247,14 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::communication_control:
             return communication_control(request, ecu);
         case service_id::write_data:
-            return write_data(request);
+            return write_data(request, ecu);
         case service_id::routine_control:
             return routine_control(request, ecu);
         case service_id::request_download:
             return request_download(request, ecu);
         case service_id::transfer_data:
-            return download_.transfer(request, response_);
         case service_id::transfer_exit:
-            return download_.end(request);
+            return transfer(request, ecu);
         case service_id::code_setting:
             return code_setting(request, ecu);
         default:  // tester present
@@ -260,15 +275,11 @@ Nrc UdsServer::session_control(const Request& request, const EcuState& ecu) noex
     return Nrc::none;
 }
 
-Nrc UdsServer::reset(const Request& request, const EcuState& ecu) noexcept {
-    if (is_moving(ecu)) {
+Nrc UdsServer::reset(const EcuState& ecu) noexcept {
+    if (is_moving(ecu) || !kept_.codes().takes_reset()) {
         return Nrc::conditions_not_correct;
     }
-    if (kept_.codes().storing() == Storing::not_needed) {
-        promise_reset(request);
-        return Nrc::none;
-    }
-    kept_.codes().request_storing(Storing::now);
+    kept_.codes().count_reset();
     waiting_ = Waiting::codes_stored_before_reset;
     return Nrc::response_pending;
 }
@@ -279,18 +290,23 @@ void UdsServer::promise_reset(const Request& request) noexcept {
     response_.put(request.sub_function());
 }
 
-Nrc UdsServer::clear_codes(const Request& request) noexcept {
+// Beyond its orders a tester waits for the next operation cycle.
+Nrc UdsServer::clear_codes(const Request& request, const EcuState& ecu) noexcept {
     if (request.length() != 4U) {
         return Nrc::incorrect_length;
     }
     const std::uint32_t group = request.u24_at(1U);
     const std::size_t row = row_of_number(group);
+    if ((group != all_groups) && (row == trouble_code_count)) {
+        return Nrc::request_out_of_range;
+    }
+    if (is_moving(ecu) || !kept_.takes_order()) {
+        return Nrc::conditions_not_correct;
+    }
     if (group == all_groups) {
         kept_.codes().clear_all();
-    } else if (row < trouble_code_count) {
-        kept_.codes().clear(row);
     } else {
-        return Nrc::request_out_of_range;
+        kept_.codes().clear(row);
     }
     waiting_ = Waiting::codes_stored;
     return Nrc::response_pending;
@@ -301,7 +317,8 @@ Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
     if ((request.length() == 1U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
     }
-    const DataSources sources{identification_, kept_.written(), ecu.inputs, ecu.outputs, session_};
+    const DataSources sources{identification_, ecu.calibration, kept_.written(),
+                              ecu.inputs,      ecu.outputs,     session_};
     bool is_one_known = false;
     for (std::size_t place = 1U; place < request.length(); place += 2U) {
         const bool is_known = read_identifier(request.u16_at(place), sources, response_);
@@ -310,7 +327,7 @@ Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
     return is_one_known ? Nrc::none : Nrc::request_out_of_range;
 }
 
-Nrc UdsServer::write_data(const Request& request) noexcept {
+Nrc UdsServer::write_data(const Request& request, const EcuState& ecu) noexcept {
     constexpr std::size_t header = 3U;
     if (request.length() <= header) {
         return Nrc::incorrect_length;
@@ -325,6 +342,12 @@ Nrc UdsServer::write_data(const Request& request) noexcept {
     }
     if (!is_unlocked()) {
         return Nrc::security_access_denied;
+    }
+    if (!is_writable(identifier, request, header)) {
+        return Nrc::request_out_of_range;
+    }
+    if (is_moving(ecu) || !kept_.takes_order()) {
+        return Nrc::conditions_not_correct;
     }
     write_identifier(identifier, request, header, kept_.written());
     kept_.codes().request_storing(Storing::now);
@@ -420,26 +443,34 @@ Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noex
     if (request.length() != whole_length) {
         return Nrc::incorrect_length;
     }
-    if (is_check) {
-        return check_section(request);
-    }
-    if (sub_function == start_routine) {
-        return start_self_test(ecu);
+    return is_check ? check_section(request, ecu) : self_test(request, ecu);
+}
+
+// Reports the codes that fail now. It writes nothing: whether the memory takes records is known of the last.
+Nrc UdsServer::self_test(const Request& request, const EcuState& ecu) noexcept {
+    if (request.sub_function() == start_routine) {
+        self_test_result_ =
+            self_test_of(ecu.failed | (kept_.is_failing() ? storage_failed : monitoring::CodeSet{0U}));
+        has_self_test_result_ = true;
     }
     begin_routine_answer(request);
     response_.put(self_test_result_);
     return has_self_test_result_ ? Nrc::none : Nrc::request_sequence_error;
 }
 
-// Reports the codes that fail now, and whether the memory takes a record.
-Nrc UdsServer::start_self_test(const EcuState& ecu) noexcept {
-    self_test_result_ = self_test_of(ecu.failed);
-    kept_.codes().request_storing(Storing::now);
-    waiting_ = Waiting::self_test_stored;
-    return Nrc::response_pending;
+// Begun at rest, it goes on at rest only.
+Nrc UdsServer::transfer(const Request& request, const EcuState& ecu) noexcept {
+    if (is_moving(ecu)) {
+        return Nrc::conditions_not_correct;
+    }
+    return (request.service() == service_id::transfer_data) ? download_.transfer(request, response_)
+                                                            : download_.end(request);
 }
 
-Nrc UdsServer::check_section(const Request& request) noexcept {
+Nrc UdsServer::check_section(const Request& request, const EcuState& ecu) noexcept {
+    if (is_moving(ecu)) {
+        return Nrc::conditions_not_correct;
+    }
     std::uint8_t refusal = 0U;
     const Nrc code = download_.check_and_store(refusal);
     if (code == Nrc::response_pending) {
@@ -452,22 +483,22 @@ Nrc UdsServer::check_section(const Request& request) noexcept {
 }
 
 Nrc UdsServer::request_download(const Request& request, const EcuState& ecu) noexcept {
-    return is_moving(ecu) ? Nrc::conditions_not_correct : download_.begin(request, response_);
+    const Nrc code = download_.begin(request, !is_moving(ecu) && kept_.has_orders_left(), response_);
+    if (code == Nrc::none) {
+        static_cast<void>(kept_.takes_order());
+    }
+    return code;
 }
 
 // Nrc::response_pending while the record is not stored yet.
-Nrc UdsServer::storage_answer() noexcept {
+Nrc UdsServer::storage_answer(const EcuState& ecu) noexcept {
     const bool is_late = (wait_cycles_ >= most_wait_cycles);
     if (waiting_ == Waiting::section_stored) {
-        const Nrc code = check_section(waiting_for_);
+        const Nrc code = check_section(waiting_for_, ecu);
         return ((code == Nrc::response_pending) && is_late) ? Nrc::programming_failure : code;
     }
     if (!kept_.is_stored() && !is_late) {
         return Nrc::response_pending;
-    }
-    if (waiting_ == Waiting::self_test_stored) {
-        self_test_answer();
-        return Nrc::none;
     }
     if (waiting_ == Waiting::codes_stored_before_reset) {  // a storage failure does not prevent the reset
         promise_reset(waiting_for_);
@@ -477,20 +508,12 @@ Nrc UdsServer::storage_answer() noexcept {
     return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;
 }
 
-void UdsServer::self_test_answer() noexcept {
-    const std::uint32_t storing = kept_.is_stored() ? 0U : self_test::storing;
-    self_test_result_ = static_cast<std::uint8_t>(self_test_result_ | storing);
-    has_self_test_result_ = true;
-    begin_routine_answer(waiting_for_);
-    response_.put(self_test_result_);
-}
-
-void UdsServer::wait_for_storage() noexcept {
+void UdsServer::wait_for_storage(const EcuState& ecu) noexcept {
     ++wait_cycles_;
     if (transport_.is_sending()) {
         return;
     }
-    const Nrc code = storage_answer();
+    const Nrc code = storage_answer(ecu);
     if (code != Nrc::response_pending) {
         waiting_ = Waiting::nothing;
         answer(waiting_for_, code);

@@ -25,7 +25,7 @@ inline constexpr std::uint8_t memory = 0x02U;      // a bit of the component had
 inline constexpr std::uint8_t computing = 0x04U;   // estimate or outputs
 inline constexpr std::uint8_t timing = 0x08U;      // cycle or clock
 inline constexpr std::uint8_t bus = 0x10U;
-inline constexpr std::uint8_t storing = 0x20U;  // the memory has not taken a record
+inline constexpr std::uint8_t storing = 0x20U;  // a memory does not take records, or has lost one
 }  // namespace self_test
 
 // Findings and outputs of the ECU in its last cycle.
@@ -33,6 +33,7 @@ struct EcuState {
     monitoring::CodeSet failed;
     const rsi::Inputs& inputs;
     const rsi::Outputs& outputs;
+    const application::CalibrationIdentity& calibration;
 };
 
 class UdsServer {
@@ -50,12 +51,13 @@ class UdsServer {
     void use(SectionTarget& target) noexcept { download_.use(target); }
 
     // Once a cycle of 10 ms: answers at most one request.
-    void step(monitoring::CodeSet failed, const rsi::Inputs& inputs, const rsi::Outputs& outputs) noexcept {
+    void step(monitoring::CodeSet failed, const rsi::Inputs& inputs, const rsi::Outputs& outputs,
+              const application::CalibrationIdentity& calibration) noexcept {
         if (access_ != nullptr) {
             access_->end_cycle();
         }
         if ((session_ != Session::standard) || transport_.is_active()) {
-            work(EcuState{failed, inputs, outputs});
+            work(EcuState{failed, inputs, outputs, calibration});
             transport_.end_cycle();
         }
     }
@@ -70,13 +72,7 @@ class UdsServer {
 
  private:
     // Reason that the answer to a request is pending.
-    enum class Waiting : std::uint8_t {
-        nothing,
-        codes_stored,
-        codes_stored_before_reset,
-        self_test_stored,
-        section_stored
-    };
+    enum class Waiting : std::uint8_t { nothing, codes_stored, codes_stored_before_reset, section_stored };
 
     void work(const EcuState& ecu) noexcept;
     void serve(const Request& request, const EcuState& ecu) noexcept;
@@ -87,25 +83,25 @@ class UdsServer {
     Nrc check_and_run(const Request& request, const EcuState& ecu) noexcept;
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
-    Nrc reset(const Request& request, const EcuState& ecu) noexcept;
+    Nrc reset(const EcuState& ecu) noexcept;
     void promise_reset(const Request& request) noexcept;
     void switch_all_on() noexcept;
-    Nrc clear_codes(const Request& request) noexcept;
+    Nrc clear_codes(const Request& request, const EcuState& ecu) noexcept;
     Nrc read_data(const Request& request, const EcuState& ecu) noexcept;
-    Nrc write_data(const Request& request) noexcept;
+    Nrc write_data(const Request& request, const EcuState& ecu) noexcept;
     Nrc security_access(const Request& request) noexcept;
     Nrc take_key(const Request& request) noexcept;
     Nrc communication_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc code_setting(const Request& request, const EcuState& ecu) noexcept;
     Nrc routine_control(const Request& request, const EcuState& ecu) noexcept;
-    Nrc start_self_test(const EcuState& ecu) noexcept;
-    Nrc check_section(const Request& request) noexcept;
+    Nrc self_test(const Request& request, const EcuState& ecu) noexcept;
+    Nrc transfer(const Request& request, const EcuState& ecu) noexcept;
+    Nrc check_section(const Request& request, const EcuState& ecu) noexcept;
     Nrc request_download(const Request& request, const EcuState& ecu) noexcept;
 
     void drop_functional_request() noexcept;
-    void wait_for_storage() noexcept;
-    Nrc storage_answer() noexcept;
-    void self_test_answer() noexcept;
+    void wait_for_storage(const EcuState& ecu) noexcept;
+    Nrc storage_answer(const EcuState& ecu) noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
     bool is_unlocked() const noexcept { return (access_ != nullptr) && access_->is_unlocked(); }

@@ -50,6 +50,8 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::roll_angle_reference_wrong:
             return {1U, 500U};  // its count is the debounce
         case DiagnosticCode::parameters_refused:
+        case DiagnosticCode::stored_parameters_refused:
+        case DiagnosticCode::storage_failed:
             return {1U, 1U};
         case DiagnosticCode::parameters_damaged:
         case DiagnosticCode::memory_restored:

@@ -84,10 +84,14 @@ enum class DiagnosticCode : std::uint8_t {
 
     // Frames in order, but with a constant delay
     imu_held_back,
+
+    // Non-volatile memory
+    stored_parameters_refused,
+    storage_failed,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::imu_held_back) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::storage_failed) + 1U;
 
 // Set of codes: bit n stands for the code with number n.
 using CodeSet = std::uint64_t;

@@ -82,7 +82,7 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     // A code outlives a stall, and so must what it was set for.
     const OfRoll wrong_of_roll = wrong_of_roll_;
     const ForceGain force_gain = force_gain_;
-    const TravelDirection direction = direction_;  // a stall turns no vehicle round
+    const TravelDirection direction = direction_;          // a stall turns no vehicle round
     const StartingAngle starting_angle = starting_angle_;  // an angle that was right before may be large now
     *this = InputMonitor{};
     starting_angle_ = starting_angle;

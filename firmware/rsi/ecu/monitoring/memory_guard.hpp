@@ -12,7 +12,9 @@
 namespace rsi::monitoring {
 
 // The sum over all words of the object detects any single bit error, and covers every member, whatever is
-// added.
+// added. It has several lanes, to which the words go in turn, and turns with each word: changes of two words
+// in different lanes never cancel each other, those of one lane only by chance. A copy that is not what was
+// kept is not taken for the object.
 template <typename Object>
 class MemoryGuard {
  public:
@@ -21,27 +23,30 @@ class MemoryGuard {
     // Saves the object's content as the reference. Call it after each intended change.
     void keep(const Object& object) noexcept {
         copy(bytes_of(object), bytes_of(kept_));
-        sum_ = sum_of(object);
+        sum_ = sum_of(bytes_of(object));
     }
 
     // Call it before each use. True when object or sum have changed since keep(); the object is then
     // restored.
     bool restore(Object& object) noexcept {
-        const bool changed = (sum_of(object) != sum_);
-        is_failing_ = changed && restored_;
+        const Sum sum = sum_of(bytes_of(object));
+        const bool changed = (difference(sum, sum_) != 0U);
+        is_failing_ = changed && (!mend(object, sum) || restored_);
         restored_ = changed;
-        if (changed) {
-            copy(bytes_of(kept_), bytes_of(object));
-        }
         return changed;
     }
 
-    // Two consecutive calls had to restore the object: a permanent fault of the memory.
+    // Two consecutive calls had to restore the object, or the copy has changed as well, or memory does not
+    // take it: a permanent fault.
     bool is_failing() const noexcept { return is_failing_; }
 
  private:
     using Word = MemoryWord;
     using Bytes = std::array<unsigned char, sizeof(Object)>;
+
+    // Few enough for registers. Words of a lane that are turned alike are 128 apart.
+    static constexpr std::size_t lanes = 4U;
+    using Sum = std::array<Word, lanes>;
 
     static_assert(std::is_trivially_destructible_v<Object>, "it owns nothing: its bytes are all of it");
     static_assert(sizeof(Object) % sizeof(Word) == 0U, "the guard takes whole words");
@@ -62,6 +67,17 @@ class MemoryGuard {
             __builtin_assume_aligned(static_cast<const void*>(&object), alignof(Word)));
     }
 
+    // False where neither object nor copy can be trusted. If these two agree, the sum was wrong.
+    [[gnu::cold, gnu::noinline]] bool mend(Object& object, const Sum& sum) noexcept {
+        const Sum sum_of_copy = sum_of(bytes_of(kept_));
+        if (difference(sum_of_copy, sum) == 0U) {
+            sum_ = sum;
+            return true;
+        }
+        copy(bytes_of(kept_), bytes_of(object));
+        return (difference(sum_of_copy, sum_) | difference(sum_of(bytes_of(object)), sum_)) == 0U;
+    }
+
     static void copy(const unsigned char* from, unsigned char* to) noexcept {
         constexpr std::size_t rest = sizeof(Object) % copied_at_once;
         constexpr std::size_t in_blocks = sizeof(Object) - rest;
@@ -71,24 +87,39 @@ class MemoryGuard {
         std::memcpy(to + in_blocks, from + in_blocks, rest);
     }
 
+    // One instruction of Arm's.
+    static void add(Word word, Word& lane) noexcept { lane = ((lane >> 1U) | (lane << 31U)) + word; }
+
     template <std::size_t... index>
-    static Word sum_of_words(const unsigned char* bytes, std::index_sequence<index...>) noexcept {
-        return (0U + ... + memory_word_at(bytes + index * sizeof(Word)));
+    static void add_words(const unsigned char* bytes, Sum& sum, std::index_sequence<index...>) noexcept {
+        Sum now = sum;
+        (add(memory_word_at(bytes + index * sizeof(Word)), now[index % lanes]), ...);
+        sum = now;
     }
 
-    static Word sum_of(const Object& object) noexcept {
+    template <std::size_t... lane>
+    static Word difference(const Sum& a, const Sum& b, std::index_sequence<lane...>) noexcept {
+        return (0U | ... | (a[lane] ^ b[lane]));
+    }
+    // 0: they are the same.
+    static Word difference(const Sum& a, const Sum& b) noexcept {
+        return difference(a, b, std::make_index_sequence<lanes>{});
+    }
+
+    // Once in an image: it is long.
+    [[gnu::noinline]] static Sum sum_of(const unsigned char* bytes) noexcept {
         constexpr std::size_t rest = sizeof(Object) % summed_at_once;
         constexpr std::size_t in_blocks = sizeof(Object) - rest;
-        const unsigned char* const bytes = bytes_of(object);
-        Word sum = sum_of_words(bytes + in_blocks, std::make_index_sequence<rest / sizeof(Word)>{});
+        Sum sum{};
         for (std::size_t at = 0U; at < in_blocks; at += summed_at_once) {
-            sum += sum_of_words(bytes + at, std::make_index_sequence<summed_at_once / sizeof(Word)>{});
+            add_words(bytes + at, sum, std::make_index_sequence<summed_at_once / sizeof(Word)>{});
         }
+        add_words(bytes + in_blocks, sum, std::make_index_sequence<rest / sizeof(Word)>{});
         return sum;
     }
 
     alignas(Word) Bytes kept_{};
-    Word sum_{0U};
+    Sum sum_{};
     bool restored_{false};
     bool is_failing_{false};
 };

@@ -44,7 +44,9 @@ struct Permanent {
     rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
     rsi::hal::SystemRandom random;
     rsi::hal::MemoryStorage<64U> attempts;
-    rsi::hal::MemoryStorage<rsi::application::section::length> parameters;
+    rsi::hal::MemoryStorage<rsi::application::SectionRecord::length> one;
+    rsi::hal::MemoryStorage<rsi::application::SectionRecord::length> other;
+    rsi::application::SectionRecord parameters{one, other};
     std::vector<std::uint8_t> section = sil::parameter_section(
         sil::load_calibration(project_folder + "/firmware/calibrations/large_suv.toml"), "large_suv");
 };

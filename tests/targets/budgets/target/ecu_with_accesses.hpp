@@ -67,7 +67,9 @@ class EcuWithAccesses {
 
     rsi::hal::MemoryStorage<rsi::diagnosis::KeptData::record_length> one_{};
     rsi::hal::MemoryStorage<rsi::diagnosis::KeptData::record_length> other_{};
-    rsi::hal::MemoryStorage<rsi::application::section::length> section_{};
+    rsi::hal::MemoryStorage<rsi::application::SectionRecord::length> section_one_{};
+    rsi::hal::MemoryStorage<rsi::application::SectionRecord::length> section_other_{};
+    rsi::application::SectionRecord section_{section_one_, section_other_};
     rsi::hal::MemoryStorage<rsi::access::stored_count_length> calibration_attempts_{};
     rsi::hal::MemoryStorage<rsi::access::stored_count_length> diagnosis_attempts_{};
     NoKeys keys_{};

@@ -1159,6 +1159,8 @@ struct RolloverDiagnosis {
         vehicle_motion_two_senders = 49,
         own_identifier_received = 50,
         imu_held_back = 51,
+        stored_parameters_refused = 52,
+        storage_failed = 53,
     };
 
     // How far that code has come.
@@ -1325,6 +1327,8 @@ struct RolloverDiagnosis {
             case Code::vehicle_motion_two_senders:
             case Code::own_identifier_received:
             case Code::imu_held_back:
+            case Code::stored_parameters_refused:
+            case Code::storage_failed:
                 return true;
         }
         return false;
@@ -1437,6 +1441,10 @@ struct RolloverDiagnosis {
                 return "own identifier received";
             case Code::imu_held_back:
                 return "imu held back";
+            case Code::stored_parameters_refused:
+                return "stored parameters refused";
+            case Code::storage_failed:
+                return "storage failed";
         }
         return "unknown";
     }

@@ -20,7 +20,15 @@
 #include "rsi/ecu/application/little_endian.hpp"
 #include "rsi/hal/storage.hpp"
 
-namespace rsi::diagnosis {
+namespace rsi::application {
+
+// Findings of a read in the two places.
+enum class RecordState : std::uint8_t {
+    never_written,
+    unreadable,  // neither place has a good record, and one has been written
+    doubtful,    // the newest good record; a newer one may be lost
+    good,
+};
 
 // `Payload` consists of bytes only: no padding, and the same layout on every target.
 template <typename Payload>
@@ -33,13 +41,16 @@ class AlternatingRecord {
     // Both must outlive this object, which owns them exclusively.
     AlternatingRecord(hal::Storage& one, hal::Storage& other) noexcept : places_{&one, &other} {}
 
-    // Reads the newest valid record; false, with `payload` unchanged, if there is none.
-    [[gnu::cold]] bool read(Payload& payload) noexcept {
+    // Before the first write: reads the newest good record. `payload` is unchanged where there is none.
+    [[gnu::cold]] RecordState read(Payload& payload) noexcept {
         bool found = false;
+        bool lost = false;
         for (std::size_t place = 0U; place < places_.size(); ++place) {
             Record record{};
-            const bool good = places_[place]->read(record.data(), record.size()) && is_good(record);
-            const std::uint32_t sequence = application::u32_at(record.data(), sequence_at);
+            const hal::Reading reading = places_[place]->read(record.data(), record.size());
+            const bool good = (reading == hal::Reading::stored) && is_good(record);
+            lost = lost || (!good && (reading != hal::Reading::never_written));
+            const std::uint32_t sequence = u32_at(record.data(), sequence_at);
             if (good && (!found || is_newer(sequence, sequence_))) {
                 found = true;
                 sequence_ = sequence;
@@ -47,17 +58,21 @@ class AlternatingRecord {
                 std::memcpy(&payload, record.data(), sizeof payload);
             }
         }
-        return found;
+        if (found) {
+            return lost ? RecordState::doubtful : RecordState::good;
+        }
+        return lost ? RecordState::unreadable : RecordState::never_written;
     }
 
-    // False if the storage is busy; try again later. The caller waits until a write has finished in the
-    // background before it writes the next record, so that never both places are incomplete.
+    // False if the storage is busy; try again later. A write must have finished in the background before the
+    // next one begins, so that never both places are incomplete: the caller waits, or the platform refuses
+    // the one place while the other is still written.
     bool write(const Payload& payload) noexcept {
         Record record{};
-        application::put_u32(record.data(), magic_at, magic);
-        application::put_u32(record.data(), sequence_at, sequence_ + 1U);
+        put_u32(record.data(), magic_at, magic);
+        put_u32(record.data(), sequence_at, sequence_ + 1U);
         std::memcpy(record.data(), &payload, sizeof payload);
-        application::put_u32(record.data(), checksum_at, application::crc32(record.data(), checksum_at));
+        put_u32(record.data(), checksum_at, crc32(record.data(), checksum_at));
         const bool taken = places_[next_]->write(record.data(), record.size());
         if (taken) {
             ++sequence_;
@@ -74,9 +89,8 @@ class AlternatingRecord {
     static constexpr std::size_t checksum_at = sequence_at + 4U;
 
     static bool is_good(const Record& record) noexcept {
-        return (application::u32_at(record.data(), magic_at) == magic) &&
-               (application::u32_at(record.data(), checksum_at) ==
-                application::crc32(record.data(), checksum_at));
+        return (u32_at(record.data(), magic_at) == magic) &&
+               (u32_at(record.data(), checksum_at) == crc32(record.data(), checksum_at));
     }
 
     // Correct across a wrap-around of the sequence number.
@@ -89,4 +103,4 @@ class AlternatingRecord {
     std::size_t next_{0U};
 };
 
-}  // namespace rsi::diagnosis
+}  // namespace rsi::application
