@@ -26,7 +26,7 @@ constexpr Member address(const char* name) {
 
 // The members are private. Structures with the same members in the same order lie in memory as they do; a
 // member that is added or left out in one place only shows in the size.
-constexpr std::array component_members{Member{"component: initialised", sizeof(bool), alignof(rsi::Derived)},
+constexpr std::array component_members{Member{"component: initialised", sizeof(std::uint32_t), alignof(rsi::Derived)},
                                        member<rsi::Derived>("component: derived numbers"),
                                        member<std::array<bool, 2>>("component: flags"),
                                        member<float>("component: extended RSI"),
@@ -55,6 +55,7 @@ constexpr std::array ecu_members{
     member<rsi::monitoring::ClockCheck>("clock check"),
     address<rsi::hal::Storage>("storage"),
     Member{"load keeper", sizeof(rsi::application::LoadKeeper) - sizeof(void*), alignof(std::uint32_t)},
+    member<rsi::application::CalibrationIdentity>("calibration's identity"),
     member<rsi::Inputs>("inputs"),
     member<rsi::Outputs>("outputs"),
     member<std::array<std::uint32_t, 8>>("health")};
