@@ -67,9 +67,9 @@ static const rsi_parameters large_suv_parameters = {
     .recovery_s = 0.1F,
     .accelerometer_noise_mps2 = 0.0F,
     .speed_resolution_mps = 0.01F,
-    .estimator = 1,              /* consider_kalman */
-    .warning_indicator = 4,      /* predicted_load_transfer */
-    .roll_angle_reference = 0,   /* road */
-    .roll_angle_sensor = 0,      /* fitted */
+    .estimator = 1, /* consider_kalman */
+    .warning_indicator = 4, /* predicted_load_transfer */
+    .roll_angle_reference = 0, /* road */
+    .roll_angle_sensor = 0, /* fitted */
     .vehicle_motion_sensors = 0, /* with_steering */
 };

@@ -26,20 +26,21 @@ constexpr Member address(const char* name) {
 
 // The members are private. Structures with the same members in the same order lie in memory as they do; a
 // member that is added or left out in one place only shows in the size.
-constexpr std::array component_members{Member{"component: initialised", sizeof(std::uint32_t), alignof(rsi::Derived)},
-                                       member<rsi::Derived>("component: derived numbers"),
-                                       member<std::array<bool, 2>>("component: flags"),
-                                       member<float>("component: extended RSI"),
-                                       member<rsi::MeasurementStage>("component: measurement"),
-                                       member<rsi::RollMotionFilter>("component: motion filter"),
-                                       member<rsi::FixedModelRoll>("component: fixed model"),
-                                       member<rsi::CompensatedModelRoll>("component: compensated model"),
-                                       member<rsi::RollCentreEstimator>("component: estimator"),
-                                       member<rsi::TyreLimit>("component: tyre limit"),
-                                       member<rsi::MomentArmError>("component: moment arm error"),
-                                       member<rsi::LinearForecast>("component: linear forecast"),
-                                       member<rsi::LoadAdaptation>("component: load adaptation"),
-                                       member<rsi::WarningStateMachine>("component: warning")};
+constexpr std::array component_members{
+    Member{"component: initialised", sizeof(std::uint32_t), alignof(rsi::Derived)},
+    member<rsi::Derived>("component: derived numbers"),
+    member<std::array<bool, 2>>("component: flags"),
+    member<float>("component: extended RSI"),
+    member<rsi::MeasurementStage>("component: measurement"),
+    member<rsi::RollMotionFilter>("component: motion filter"),
+    member<rsi::FixedModelRoll>("component: fixed model"),
+    member<rsi::CompensatedModelRoll>("component: compensated model"),
+    member<rsi::RollCentreEstimator>("component: estimator"),
+    member<rsi::TyreLimit>("component: tyre limit"),
+    member<rsi::MomentArmError>("component: moment arm error"),
+    member<rsi::LinearForecast>("component: linear forecast"),
+    member<rsi::LoadAdaptation>("component: load adaptation"),
+    member<rsi::WarningStateMachine>("component: warning")};
 
 constexpr Member platform{"platform", 3U * sizeof(void*), alignof(void*), true};
 constexpr std::array ecu_members{
