@@ -213,6 +213,23 @@ TEST_F(AComponentOfWhichABitChanges, StarvesTheWatchdogWhereItDoesNotStayRestore
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
 }
 
+// Neither component nor copy is what it was: nothing that is computed from them may be used again.
+TEST_F(AComponentOfWhichABitChanges, StarvesTheWatchdogForGoodWhereItsCopyHasChangedToo) {
+    Bench& bench = disturbed.bench;
+    std::array<unsigned char, 64U> around{};
+    std::memcpy(around.data(), &byte_of_component() - around.size() / 2U, around.size());
+    const std::vector<std::size_t> places = places_of(bench, around.data(), around.size());
+    ASSERT_EQ(places.size(), 2U);
+    bench.memory()[places.at(0) + 31U] ^= 0x40U;
+    bench.memory()[places.at(1) + 32U] ^= 0x40U;
+    const int feeds = bench.watchdog_feeds();
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        bench.run_cycles(1);
+        ASSERT_EQ(bench.state(), State::unavailable) << cycle;
+    }
+    EXPECT_EQ(bench.watchdog_feeds(), feeds);
+}
+
 // A reset keeps what init finds by iterating. If that is damaged, only a start from new helps.
 TEST_F(ADamagedComponent, WhichAResetCannotHealStarvesTheWatchdog) {
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();

@@ -377,8 +377,8 @@ class AStep : public ::testing::Test {
         qualify(0.0F);
     }
 
-    rsi::monitoring::SignalCheck check{
-        {-40.0F, 40.0F, 12.0F, 100.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump, 5.0F}};
+    rsi::monitoring::SignalCheck check{{-40.0F, 40.0F, 12.0F, 100.0F, DiagnosticCode::speed_invalid,
+                                        DiagnosticCode::speed_jump, 5.0F, 5.0F}};
     rsi::monitoring::DiagnosticMemory memory;
 };
 
@@ -463,6 +463,23 @@ TEST_F(AStep, BeyondRangeOrJumpIsABurstTooIfItIsTooShortForTheCode) {
         }
         EXPECT_EQ(status(), EventStatus::healed) << value;
     }
+}
+
+TEST_F(AStep, IsDoubtedDownwardsOnlyWhereUpwardsHasNoLimit) {
+    check = rsi::monitoring::SignalCheck{{-40.0F, 40.0F, 12.0F, 100.0F, DiagnosticCode::speed_invalid,
+                                          DiagnosticCode::speed_jump, 1.0e6F, 5.0F}};
+    qualify(0.0F, 5);
+    EXPECT_EQ(qualify(8.0F), 8.0F);
+    EXPECT_EQ(qualify(0.0F), 8.0F);
+    EXPECT_EQ(qualify(8.0F), 8.0F);
+}
+
+// A code that has not healed yet keeps the signal from use, whatever step it makes.
+TEST_F(AStep, OfASignalWithItsCodeIsNotUsed) {
+    qualify(0.0F, 5);
+    qualify(20.0F, 3);
+    ASSERT_EQ(status(), EventStatus::confirmed);
+    EXPECT_TRUE(std::isnan(qualify(12.0F)));
 }
 
 TEST_F(AStep, IsForgottenWithALostFrame) {

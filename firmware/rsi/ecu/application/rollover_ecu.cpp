@@ -118,7 +118,9 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     memory_.report(monitoring::DiagnosticCode::memory_restored, component_guard_.restore(component_));
     component_.step(inputs_, outputs_);
     const bool healthy = check_itself();
-    component_guard_.keep(component_);
+    if (!component_guard_.is_lost()) {  // else the watchdog ends it
+        component_guard_.keep(component_);
+    }
     if (healthy) {
         load_keeper_.keep(component_.learnt_load());
     }

@@ -24,14 +24,16 @@ class MemoryGuard {
     void keep(const Object& object) noexcept {
         copy(bytes_of(object), bytes_of(kept_));
         sum_ = sum_of(bytes_of(object));
+        is_lost_ = false;
     }
 
     // Call it before each use. True when object or sum have changed since keep(); the object is then
     // restored.
     bool restore(Object& object) noexcept {
         const Sum sum = sum_of(bytes_of(object));
-        const bool changed = (difference(sum, sum_) != 0U);
-        is_failing_ = changed && (!mend(object, sum) || restored_);
+        const bool changed = is_lost_ || (difference(sum, sum_) != 0U);
+        is_lost_ = changed && (is_lost_ || !mend(object, sum));
+        is_failing_ = is_lost_ || (changed && restored_);
         restored_ = changed;
         return changed;
     }
@@ -39,6 +41,9 @@ class MemoryGuard {
     // Two consecutive calls had to restore the object, or the copy has changed as well, or memory does not
     // take it: a permanent fault.
     bool is_failing() const noexcept { return is_failing_; }
+
+    // Neither object nor copy is what was kept. Whoever keeps what is made of it would trust it from then on.
+    bool is_lost() const noexcept { return is_lost_; }
 
  private:
     using Word = MemoryWord;
@@ -122,6 +127,7 @@ class MemoryGuard {
     Sum sum_{};
     bool restored_{false};
     bool is_failing_{false};
+    bool is_lost_{false};
 };
 
 }  // namespace rsi::monitoring

@@ -5,7 +5,6 @@
 namespace rsi::monitoring {
 namespace {
 
-constexpr std::uint32_t longest_doubt = 15U;  // from here on the other signals' votes decide
 constexpr std::uint32_t most_bursts = 3U;
 constexpr std::uint32_t burst_memory = 6000U;  // samples, a minute
 
@@ -24,8 +23,7 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, const SignalSu
     if (bursts_ > 0U) {
         rsi::count_up(calm_samples_);
     }
-    const bool doubted = support.vehicle_is_calm && (doubted_samples_ < longest_doubt);
-    if (good && doubted && known_ && is_far(value, support)) {
+    if (good && known_ && is_doubted(value, support) && !is_failing(memory)) {
         rsi::count_up(doubted_samples_);
         return good_;
     }
@@ -40,7 +38,7 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, const SignalSu
     if (good && (doubted_samples_ > 0U) && support.vehicle_is_calm && !is_far(value, support)) {
         count_burst(memory);
     }
-    if (memory.confirmed(limits_.invalid) || memory.confirmed(limits_.jumps)) {
+    if (is_failing(memory)) {
         // From now on each value is compared with the one before: smooth again is good again.
         good_ = value;
         known_ = valid;

@@ -16,11 +16,12 @@ struct SignalLimits {
     float shake;  // largest mean of the change of the change, over 0.1 s
     DiagnosticCode invalid;
     DiagnosticCode jumps;
-    // Largest change in one cycle that is used at once; a larger one may be the beginning of a burst.
-    float step{1.0e6F};
+    // Largest change in one cycle, up and down, that is used at once; a larger one may begin a burst.
+    float step_up{1.0e6F};
+    float step_down{1.0e6F};
 };
 
-// Other signals' statements about the change of this one; 0 and NaN: none.
+// Other signals' statements about the change of this one, finite.
 struct SignalSupport {
     float expected_change{0.0F};  // since the value before
     float road_shake{0.0F};       // how far the road, which shakes others too, may shake it beyond its limit
@@ -49,7 +50,8 @@ class SignalCheck {
         const float second_difference = 2.45F * rms;
         limits_.jump += second_difference;
         limits_.shake += second_difference;
-        limits_.step += second_difference;
+        limits_.step_up += second_difference;
+        limits_.step_down += second_difference;
     }
 
     // A cycle without its frame.
@@ -60,18 +62,28 @@ class SignalCheck {
     }
 
  private:
+    static constexpr std::uint32_t longest_doubt = 15U;  // from here on the other signals' votes decide
+
     bool has_jumped(float value, float expected_change) const noexcept {
         return !rsi::is_within_magnitude(value - good_ - expected_change, limits_.jump);
     }
 
     // Further from the last good value than a step.
     bool is_far(float value, const SignalSupport& support) const noexcept {
-        return !rsi::is_within_magnitude(value - good_ - support.expected_change,
-                                         limits_.step + support.road_shake);
+        const float change = value - good_ - support.expected_change;
+        return !rsi::is_within(change, -limits_.step_down - support.road_shake,
+                               limits_.step_up + support.road_shake);
+    }
+
+    bool is_doubted(float value, const SignalSupport& support) const noexcept {
+        return support.vehicle_is_calm && (doubted_samples_ < longest_doubt) && is_far(value, support);
+    }
+
+    bool is_failing(const DiagnosticMemory& memory) const noexcept {
+        return memory.confirmed(limits_.invalid) || memory.confirmed(limits_.jumps);
     }
 
     bool is_shaken(float value, float road_shake) noexcept;
-    bool is_step(float value, const SignalSupport& support) const noexcept;
     void count_burst(DiagnosticMemory& memory) noexcept;
 
     void keep(float value) noexcept {
