@@ -55,6 +55,11 @@ class KeptData {
         return is_taken;
     }
 
+    // A tester waits for what he has ordered: it is tried at once, and while he waits once a second, however
+    // rarely the memory has been asked before.
+    void begin_order() noexcept { pace_.wait_at_most(0U); }
+    void continue_order() noexcept { pace_.wait_at_most(least_cycles_between_records); }
+
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
     // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.

@@ -84,6 +84,7 @@ class UdsServer {
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc reset(const EcuState& ecu) noexcept;
+    Nrc wait_for_codes(Waiting reason) noexcept;
     void promise_reset(const Request& request) noexcept;
     void switch_all_on() noexcept;
     Nrc clear_codes(const Request& request, const EcuState& ecu) noexcept;
