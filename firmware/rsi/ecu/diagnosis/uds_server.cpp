@@ -482,6 +482,7 @@ Nrc UdsServer::check_section(const Request& request, const EcuState& ecu) noexce
         begin_routine_answer(request);
         response_.put(refusal);
     }
+    kept_.report_section_memory(download_.is_memory_failing());
     return code;
 }
 
@@ -497,8 +498,7 @@ Nrc UdsServer::request_download(const Request& request, const EcuState& ecu) noe
 Nrc UdsServer::storage_answer(const EcuState& ecu) noexcept {
     const bool is_late = (wait_cycles_ >= most_wait_cycles);
     if (waiting_ == Waiting::section_stored) {
-        const Nrc code = check_section(waiting_for_, ecu);
-        return ((code == Nrc::response_pending) && is_late) ? Nrc::programming_failure : code;
+        return section_answer(check_section(waiting_for_, ecu), is_late);
     }
     if (!kept_.is_stored()) {
         kept_.continue_order();
@@ -510,6 +510,16 @@ Nrc UdsServer::storage_answer(const EcuState& ecu) noexcept {
     }
     begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);
     return Nrc::none;
+}
+
+// Each wait ends the download, so that the tries of a memory are limited as downloads are.
+Nrc UdsServer::section_answer(Nrc code, bool is_late) noexcept {
+    const bool is_busy = (code == Nrc::response_pending);
+    if (is_busy && !is_late) {
+        return code;
+    }
+    download_.abort();
+    return is_busy ? Nrc::programming_failure : code;
 }
 
 void UdsServer::wait_for_storage(const EcuState& ecu) noexcept {

@@ -102,6 +102,7 @@ class UdsServer {
 
     void drop_functional_request() noexcept;
     void wait_for_storage(const EcuState& ecu) noexcept;
+    Nrc section_answer(Nrc code, bool is_late) noexcept;
     Nrc storage_answer(const EcuState& ecu) noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
