@@ -24,26 +24,16 @@ class SectionRecord {
     // As those of AlternatingRecord.
     SectionRecord(hal::Storage& one, hal::Storage& other) noexcept : record_{one, other} {}
     [[gnu::cold]] RecordState read(SectionBytes& bytes) noexcept { return record_.read(bytes); }
-    bool write(const SectionBytes& bytes) noexcept {
-        const bool is_taken = record_.write(bytes);
-        pace_.tried(is_taken);
-        return is_taken;
-    }
+    bool write(const SectionBytes& bytes) noexcept;
 
     // Once a cycle while a section waits to be written: whether to try. A memory that refuses is tried ever more
     // rarely, at last once a second.
-    bool is_due() noexcept {
-        pace_.begin_cycle();
-        pace_.wait_at_most(most_cycles_between_tries);
-        return pace_.is_due();
-    }
+    bool is_due() noexcept;
 
     // The memory has refused many tries, and has taken none since.
     bool is_failing() const noexcept { return pace_.is_failing(); }
 
  private:
-    static constexpr std::uint32_t most_cycles_between_tries = 100U;
-
     AlternatingRecord<SectionBytes> record_;
     WritePace pace_{};
 };
