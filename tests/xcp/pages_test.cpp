@@ -397,7 +397,8 @@ TEST(Store, InAMemoryThatRefusesAgainAndAgainIsReportedUntilOneIsTaken) {
     bench.connect_and_unlock();
     const auto is_reported = [&] {
         bench.cycle();
-        return bench.ecu().ecu().diagnostic_memory().confirmed(rsi::monitoring::DiagnosticCode::storage_failed);
+        return bench.ecu().ecu().diagnostic_memory().confirmed(
+            rsi::monitoring::DiagnosticCode::storage_failed);
     };
     bench.one.refuse(true);
     for (int time = 0; time < 9; ++time) {

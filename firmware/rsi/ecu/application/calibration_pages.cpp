@@ -215,8 +215,9 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     return xcp::Error::none;
 }
 
-// Stores only a section that a start without authority would accept, without a seal, because one that was read
-// with it would not be of these values. Tries are limited, so that the memory lasts even where it refuses.
+// Stores only a section that a start without authority would accept, without a seal, because one that was
+// read with it would not be of these values. Tries are limited, so that the memory lasts even where it
+// refuses.
 xcp::Error CalibrationPages::store() noexcept {
     section::put_checksum(working_.data());
     std::memset(&working_[section::length], 0, seal::sealed_length - section::length);

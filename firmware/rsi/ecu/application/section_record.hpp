@@ -26,8 +26,8 @@ class SectionRecord {
     [[gnu::cold]] RecordState read(SectionBytes& bytes) noexcept { return record_.read(bytes); }
     bool write(const SectionBytes& bytes) noexcept;
 
-    // Once a cycle while a section waits to be written: whether to try. A memory that refuses is tried ever more
-    // rarely, at last once a second.
+    // Once a cycle while a section waits to be written: whether to try. A memory that refuses is tried ever
+    // more rarely, at last once a second.
     bool is_due() noexcept;
 
     // The memory has refused many tries, and has taken none since.

@@ -78,8 +78,8 @@ class KeptData {
     // All that was to be stored at once has been taken by the memory.
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 
-    // This memory or the other has refused a record for some time, or this one had at the start only what could
-    // not be read; and has taken none since.
+    // This memory or the other has refused a record for some time, or this one had at the start only what
+    // could not be read; and has taken none since.
     bool is_failing() const noexcept { return is_failing_; }
 
  private:

@@ -22,8 +22,8 @@ class SectionDownload {
     Nrc transfer(const Request& request, Response& response) noexcept;
     Nrc end(const Request& request) noexcept;
 
-    // After a whole download only; ends it, unless the memory is busy. Nrc::response_pending: again in the next
-    // cycle, or abort().
+    // After a whole download only; ends it, unless the memory is busy. Nrc::response_pending: again in the
+    // next cycle, or abort().
     Nrc check_and_store(std::uint8_t& refusal) noexcept;
 
     // As the target was after the last try to store.
