@@ -50,29 +50,33 @@ TEST(TheLoadsRecord, HasItsBytesInTheirPlaces) {
     }
 }
 
-TEST(TheLoadsRecord, IsRefusedWithAnyByteChangedErasedOrOfOtherParameters) {
+TEST(TheLoadsRecord, IsNoneWithAnyByteChangedOrErased) {
     const LoadRecord good = rsi::application::write_load_record(learnt, 77U);
-    rsi::LearntLoad read{0.1F, 0.1F, 0.1F};
+    EXPECT_TRUE(rsi::application::is_load_record(good));
     for (std::size_t byte = 0U; byte < good.size(); ++byte) {
         LoadRecord record = good;
         record[byte] ^= 0x10U;
-        EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read)) << byte;
+        EXPECT_FALSE(rsi::application::is_load_record(record)) << byte;
     }
     for (const std::uint8_t erased : {std::uint8_t{0x00U}, std::uint8_t{0xFFU}}) {
         LoadRecord record{};
         record.fill(erased);
-        EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read));
+        EXPECT_FALSE(rsi::application::is_load_record(record));
     }
-    EXPECT_FALSE(rsi::application::read_load_record(good, 78U, read));
+}
+
+TEST(TheLoadsRecord, IsRefusedOfOtherParameters) {
+    const LoadRecord record = rsi::application::write_load_record(learnt, 77U);
+    rsi::LearntLoad read{0.1F, 0.1F, 0.1F};
+    EXPECT_FALSE(rsi::application::read_load_record(record, 78U, read));
     EXPECT_EQ(read.excess, 0.1F);
 }
 
-TEST(TheLoadsRecord, IsRefusedWithoutItsMagicThoughItsChecksumIsGood) {
+TEST(TheLoadsRecord, IsNoneWithoutItsMagicThoughItsChecksumIsGood) {
     LoadRecord record = rsi::application::write_load_record(learnt, 77U);
     record[0] ^= 1U;
     rsi::application::put_u32(record.data(), 20U, rsi::application::crc32(record.data(), 20U));
-    rsi::LearntLoad read{};
-    EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read));
+    EXPECT_FALSE(rsi::application::is_load_record(record));
 }
 
 // Found again by a reader of the record elsewhere.
@@ -215,6 +219,33 @@ TEST_F(Keeping, FailsWhereARecordCannotBeRead) {
     EXPECT_TRUE(keeper.is_failing());
     unreadable.set_unreadable(false);
     keeper.restore(large_suv(), component, false);
+    EXPECT_FALSE(keeper.is_failing());
+}
+
+// The memory gave it, and it is not what was kept.
+TEST_F(Keeping, FailsWhereARecordIsDamagedAndNotWhereItIsOfOtherParameters) {
+    keep(learnt, cycles_in_a_minute);
+    rsi::Parameters others = large_suv();
+    others.sprung_mass_kg += 1.0F;
+    keeper.restore(others, component, false);
+    EXPECT_FALSE(keeper.is_failing());
+    storage.damage(9U);
+    keeper.restore(large_suv(), component, false);
+    EXPECT_TRUE(keeper.is_failing());
+}
+
+TEST_F(Keeping, FailsNoLongerOnceARecordIsTaken) {
+    rsi_test::CutStorage lost;
+    lost.set_unreadable(true);
+    lost.refuse(true);
+    keeper.use(lost);
+    keeper.restore(large_suv(), component, false);
+    keep(learnt, cycles_in_a_minute);
+    ASSERT_EQ(lost.tries(), 1);
+    EXPECT_TRUE(keeper.is_failing()) << "refused, it is as lost as it was";
+    lost.refuse(false);
+    keep(learnt, 1);
+    ASSERT_EQ(lost.writes(), 1);
     EXPECT_FALSE(keeper.is_failing());
 }
 

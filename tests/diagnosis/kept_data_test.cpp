@@ -166,7 +166,16 @@ TEST(KeptData, RecordsOfWhichNoneCanBeReadAreAFailure) {
     memories.other.set_unreadable(true);
     EXPECT_FALSE(Life{memories}.data.is_failing()) << "as after a loss of power";
     memories.one.record().pop_back();
-    EXPECT_TRUE(Life{memories}.data.is_failing());
+    memories.other.refuse(true);
+    memories.one.refuse(true);
+    Life life{memories};
+    life.run(1);
+    EXPECT_TRUE(life.data.is_failing()) << "refused, they are as lost as they were";
+    memories.other.refuse(false);
+    memories.one.refuse(false);
+    life.run(1);
+    EXPECT_TRUE(life.data.is_stored());
+    EXPECT_FALSE(life.data.is_failing()) << "a record has been taken since";
 }
 
 // Every write of a life with ten codes, one after the other, cut at the beginning, at the end, and at bytes

@@ -264,7 +264,7 @@ TEST_F(Download, AMemoryThatIsBusyIsWaitedFor) {
     EXPECT_EQ(tester_.receive(20), no(0x31U, 0x78U));
     tester_.cycles(100);
     refuse(false);
-    EXPECT_EQ(tester_.receive(20), result(rsi::application::ParametersRefusal::none));
+    EXPECT_EQ(tester_.receive(100), result(rsi::application::ParametersRefusal::none));
     EXPECT_EQ(stored(), good_section());
 }
 
@@ -274,6 +274,55 @@ TEST_F(Download, AMemoryThatNeverTakesItIsSaid) {
     tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
     EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
     EXPECT_EQ(tester_.receive(500), no(0x31U, 0x72U)) << "within P2*";
+    EXPECT_EQ(memories_.section_one.tries(), 11) << "not in every cycle";
+    EXPECT_EQ(check(), no(0x31U, 0x24U)) << "each check takes a download, of which a start has a limit";
+}
+
+TEST_F(Download, AMemoryThatNeverTakesItIsReportedUntilItDoes) {
+    transfer(good_section());
+    EXPECT_FALSE(tester_.diagnosis().is_storage_failing());
+    refuse(true);
+    EXPECT_EQ(check(), no(0x31U, 0x72U));
+    EXPECT_TRUE(tester_.diagnosis().is_storage_failing());
+    tester_.unlock(0x02U);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(110);
+    EXPECT_TRUE(tester_.diagnosis().is_storage_failing()) << "though the other memory takes records";
+    transfer(good_section());
+    refuse(false);
+    EXPECT_EQ(check(), result(ParametersRefusal::none));
+    EXPECT_FALSE(tester_.diagnosis().is_storage_failing());
+}
+
+// However long it has refused: the next check tries within a second.
+TEST_F(Download, AMemoryThatHasRefusedForLongIsTriedByTheNextCheck) {
+    refuse(true);
+    for (int time = 0; time < 3; ++time) {
+        tester_.unlock(0x02U);
+        transfer(good_section());
+        EXPECT_EQ(check(), no(0x31U, 0x72U));
+    }
+    tester_.unlock(0x02U);
+    transfer(good_section());
+    refuse(false);
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    Bytes answer = tester_.receive(5);
+    if (answer == no(0x31U, 0x78U)) {
+        answer = tester_.receive(100);
+    }
+    EXPECT_EQ(answer, result(ParametersRefusal::none));
+}
+
+// A check that has waited is over, whatever ends the wait.
+TEST_F(Download, ACheckThatHasWaitedEndsTheDownload) {
+    transfer(good_section());
+    refuse(true);
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U));
+    tester_.inputs.speed_mps = 20.0F;
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x22U));
+    tester_.inputs.speed_mps = 0.0F;
+    EXPECT_EQ(check(), no(0x31U, 0x24U));
 }
 
 // At whichever moment the memory takes it: what the tester hears is what has been done.
@@ -286,9 +335,9 @@ TEST_F(Download, TheReportOfASlowMemoryIsTrue) {
         refuse(true);
         tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
         EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
-        tester_.cycles(436 + late);
+        tester_.cycles(400 + 3 * late);  // the memory is tried once a second
         refuse(false);
-        const bool is_good = (tester_.receive(20) == result(rsi::application::ParametersRefusal::none));
+        const bool is_good = (tester_.receive(60) == result(rsi::application::ParametersRefusal::none));
         EXPECT_EQ(is_good, stored() == good_section()) << late;
         stored_in_time += is_good ? 1 : 0;
     }
@@ -445,6 +494,7 @@ class CountingTarget final : public rsi::diagnosis::SectionTarget {
     rsi::diagnosis::SectionAnswer store(std::uint8_t&) noexcept override {
         return rsi::diagnosis::SectionAnswer::stored;
     }
+    bool is_failing() const noexcept override { return false; }
 
     Bytes puts{};
 };

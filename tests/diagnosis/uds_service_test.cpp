@@ -18,6 +18,10 @@ class Uds : public ::testing::Test {
         tester_.~Tester();
         new (&tester_) Tester{memories_};
     }
+    void refuse(bool refuses) {
+        memories_.one.refuse(refuses);
+        memories_.other.refuse(refuses);
+    }
 
     Memories memories_{};
     Tester tester_{memories_};
@@ -250,14 +254,40 @@ TEST_F(Uds, AResetStoresWhatOnlyCountsFurther) {
     EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x01U}).back(), 2U);
 }
 
-TEST_F(Uds, AMemoryThatTakesNothingDoesNotPreventAReset) {
+// Else a memory that is asked rarely would let a tester start the control unit without limit.
+TEST_F(Uds, AResetIsNotGivenBeforeItsCountIsStored) {
     ask({0x10U, 0x03U});
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
-    tester_.fail(DiagnosticCode::imu_lost);
-    tester_.cycles(2);
+    refuse(true);
+    EXPECT_EQ(ask({0x11U, 0x01U}), no(0x11U, 0x72U));
+    EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
+    refuse(false);
     EXPECT_EQ(ask({0x11U, 0x01U}), (Bytes{0x51U, 0x01U}));
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+// Asked once a minute by then, it takes again what a tester orders.
+TEST_F(Uds, AnOrderIsTriedAtOnceWhereTheMemoryHasRefusedForLong) {
+    refuse(true);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(30000);
+    tester_.unlock();
+    const int tries = memories_.one.tries() + memories_.other.tries();
+    tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
+    tester_.cycles(1);
+    EXPECT_EQ(memories_.one.tries() + memories_.other.tries(), tries + 1);
+    EXPECT_EQ(tester_.receive(460), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.receive(460), no(0x14U, 0x72U));
+    EXPECT_EQ(memories_.one.tries() + memories_.other.tries(), tries + 5) << "and once a second";
+    refuse(false);
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'W')), (Bytes{0x6EU, 0xF1U, 0x90U}));
+    refuse(true);
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.cycles(100);
+    tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
+    EXPECT_EQ(tester_.receive(10), no(0x14U, 0x78U));
+    tester_.cycles(300);
+    refuse(false);
+    EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
 }
 
 // Counts alone would be stored within a minute.

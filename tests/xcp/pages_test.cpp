@@ -380,6 +380,58 @@ TEST(Store, IsTakenAHundredTimesInAStart) {
     EXPECT_EQ(bench.command({0xF9, 0x01}), good);
 }
 
+// Each try may wear it.
+TEST(Store, IsTriedAHundredTimesInAStartThoughTheMemoryRefuses) {
+    Bench bench;
+    bench.connect_and_unlock();
+    bench.one.refuse(true);
+    for (int time = 0; time < 100; ++time) {
+        ASSERT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x33})) << time;
+    }
+    EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
+    EXPECT_EQ(bench.one.tries(), 100);
+}
+
+TEST(Store, InAMemoryThatRefusesAgainAndAgainIsReportedUntilOneIsTaken) {
+    Bench bench;
+    bench.connect_and_unlock();
+    const auto is_reported = [&] {
+        bench.cycle();
+        return bench.ecu().ecu().diagnostic_memory().confirmed(
+            rsi::monitoring::DiagnosticCode::storage_failed);
+    };
+    bench.one.refuse(true);
+    for (int time = 0; time < 9; ++time) {
+        bench.command({0xF9, 0x01});
+    }
+    EXPECT_FALSE(is_reported()) << "it may be busy";
+    bench.command({0xF9, 0x01});
+    EXPECT_TRUE(is_reported());
+    bench.one.refuse(false);
+    EXPECT_EQ(bench.command({0xF9, 0x01}), good);
+    EXPECT_FALSE(is_reported());
+}
+
+// That of the section that was read is not of the values that are stored.
+TEST(Store, KeepsNoSeal) {
+    Bench bench;
+    rsi::application::SectionBytes sealed{};
+    std::copy(bench.reference.begin(), bench.reference.end(), sealed.begin());
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    ASSERT_TRUE(rsi::application::seal_section(keys, 1U, sealed.data()));
+    rsi::application::SectionRecord record{bench.one, bench.other};
+    ASSERT_TRUE(record.write(sealed));
+    bench.restart();
+    store_warning_on(bench, 0.85F);
+    rsi::application::SectionBytes stored{};
+    ASSERT_EQ(rsi::application::SectionRecord(bench.one, bench.other).read(stored),
+              rsi::application::RecordState::good);
+    for (std::size_t place = rsi::application::section::length; place < stored.size(); ++place) {
+        EXPECT_EQ(stored[place], 0U) << place;
+    }
+    EXPECT_EQ(rsi::application::section::values_of(stored.data()).warning_on, 0.85F);
+}
+
 // Its checksum is the one that XCP computes, before and after a change.
 TEST(CalibrationInUse, HasTheNameOfItsSectionAndTheChecksumOfItsValues) {
     Bench bench;

@@ -215,9 +215,12 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     return xcp::Error::none;
 }
 
-// Stores only a section that the next start would accept, and only so often that the memory lasts.
+// Stores only a section that a start without authority would accept, without a seal, because one that was
+// read with it would not be of these values. Tries are limited, so that the memory lasts even where it
+// refuses.
 xcp::Error CalibrationPages::store() noexcept {
     section::put_checksum(working_.data());
+    std::memset(&working_[section::length], 0, seal::sealed_length - section::length);
     rsi::Parameters unused{};
     if (!is_usable_ || (stored_ == nullptr) || (stores_left_ == 0U)) {
         return xcp::Error::access_denied;
@@ -225,8 +228,9 @@ xcp::Error CalibrationPages::store() noexcept {
     if (read_parameter_section(working_.data(), section::length, unused).refusal != ParametersRefusal::none) {
         return xcp::Error::page_not_valid;
     }
+    --stores_left_;
     const bool taken = stored_->write(working_);
-    stores_left_ -= taken ? 1U : 0U;
+    ecu_.report_storage(stored_->is_failing());
     return taken ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
 }
 

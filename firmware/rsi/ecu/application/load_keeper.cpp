@@ -23,9 +23,9 @@ void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& comp
     rsi::LearntLoad read{};
     const hal::Reading reading =
         (storage_ == nullptr) ? hal::Reading::never_written : storage_->read(record.data(), record.size());
-    was_unreadable_ = (reading == hal::Reading::unreadable);
-    is_failing_ = was_unreadable_;
-    if ((reading == hal::Reading::stored) && read_load_record(record, parameters_check_word_, read) &&
+    const bool is_whole = (reading == hal::Reading::stored) && is_load_record(record);
+    is_failing_ = !is_whole && (reading != hal::Reading::never_written);
+    if (is_whole && read_load_record(record, parameters_check_word_, read) &&
         component.restore_load(read, doubted)) {
         stored_ = read;
     }
@@ -51,7 +51,7 @@ void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
     const LoadRecord record = write_load_record(learnt, parameters_check_word_);
     const bool is_taken = storage_->write(record.data(), record.size());
     pace_.tried(is_taken);
-    is_failing_ = was_unreadable_ || pace_.is_failing();
+    is_failing_ = !is_taken && (is_failing_ || pace_.is_failing());
     if (is_taken) {
         stored_ = learnt;
         cycles_since_store_ = 0U;

@@ -30,7 +30,8 @@ class LoadKeeper {
     // CRC-32 of the parameters for which it keeps loads.
     std::uint32_t parameters_check_word() const noexcept { return parameters_check_word_; }
 
-    // The memory has refused a record for some time, or had one at the start that it did not give.
+    // The memory has refused a record for some time, or had one at the start that it did not give whole; and
+    // has taken none since.
     bool is_failing() const noexcept { return is_failing_; }
 
  private:
@@ -38,7 +39,6 @@ class LoadKeeper {
     std::uint32_t parameters_check_word_{0U};
     std::uint32_t cycles_since_store_{0U};
     WritePace pace_{};
-    bool was_unreadable_{false};
     bool is_failing_{false};
     rsi::LearntLoad stored_{};
 };

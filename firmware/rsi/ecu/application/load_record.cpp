@@ -46,12 +46,16 @@ LoadRecord write_load_record(const rsi::LearntLoad& learnt, std::uint32_t parame
     return record;
 }
 
+bool is_load_record(const LoadRecord& record) noexcept {
+    const std::uint8_t* const bytes = record.data();
+    return (u32_at(bytes, 0U) == record_magic) &&
+           (u32_at(bytes, record_checksum_at) == crc32(bytes, record_checksum_at));
+}
+
 bool read_load_record(const LoadRecord& record, std::uint32_t parameters_check_word,
                       rsi::LearntLoad& learnt) noexcept {
     const std::uint8_t* const bytes = record.data();
-    const bool good = (u32_at(bytes, 0U) == record_magic) &&
-                      (u32_at(bytes, parameters_at) == parameters_check_word) &&
-                      (u32_at(bytes, record_checksum_at) == crc32(bytes, record_checksum_at));
+    const bool good = (u32_at(bytes, parameters_at) == parameters_check_word);
     if (good) {
         learnt = rsi::LearntLoad{float_at(bytes, excess_at), float_at(bytes, deviation_at),
                                  float_at(bytes, offset_at)};

@@ -25,7 +25,10 @@ using LoadRecord = std::array<std::uint8_t, load_record_length>;
 
 LoadRecord write_load_record(const rsi::LearntLoad& learnt, std::uint32_t parameters_check_word) noexcept;
 
-// False where the record is damaged, erased or of other parameters; `learnt` is then left as it was.
+// False where the record is damaged, erased or no load.
+[[gnu::cold]] bool is_load_record(const LoadRecord& record) noexcept;
+
+// Precondition: is_load_record. False where the load is of other parameters; `learnt` is then left as it was.
 [[gnu::cold]] bool read_load_record(const LoadRecord& record, std::uint32_t parameters_check_word,
                                     rsi::LearntLoad& learnt) noexcept;
 

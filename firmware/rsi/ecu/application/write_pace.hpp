@@ -18,13 +18,16 @@ class WritePace {
 
     bool is_due() const noexcept { return left_ == 0U; }
 
+    // Something waits for the record: the next try comes within so many cycles.
+    void wait_at_most(std::uint32_t cycles) noexcept { left_ = (left_ < cycles) ? left_ : cycles; }
+
     // After each try.
     void tried(bool is_taken) noexcept {
         wait_ = is_taken ? 0U : longer_than(wait_);
         left_ = wait_;
     }
 
-    // Refused for five seconds or more, and not taken since.
+    // Refused for some seconds, and not taken since.
     bool is_failing() const noexcept { return wait_ >= wait_of_failure; }
 
  private:

@@ -8,8 +8,8 @@ void KeptData::restore() noexcept {
     const bool is_there =
         (state == application::RecordState::good) || (state == application::RecordState::doubtful);
     const bool is_known = is_there && (payload.layout == KeptPayload::present_layout);
-    is_lost_ = !is_known && (state != application::RecordState::never_written);
-    is_failing_ = is_lost_;
+    is_own_failing_ = !is_known && (state != application::RecordState::never_written);
+    is_failing_ = is_own_failing_;
     if (is_known) {
         codes_.restore(payload.codes);
         written_ = payload.written;
@@ -20,7 +20,8 @@ void KeptData::store() noexcept {
     const KeptPayload payload{KeptPayload::present_layout, codes_.stored_data(), written_};
     const bool is_taken = record_.write(payload);
     pace_.tried(is_taken);
-    is_failing_ = is_lost_ || pace_.is_failing();
+    is_own_failing_ = !is_taken && (is_own_failing_ || pace_.is_failing());
+    is_failing_ = is_own_failing_ || is_section_failing_;
     if (is_taken) {
         codes_.stored();
         cycles_to_wait_ = cycles_to_store_counts;

@@ -55,6 +55,11 @@ class KeptData {
         return is_taken;
     }
 
+    // A tester waits for what he has ordered: it is tried at once, and while he waits once a second, however
+    // rarely the memory has been asked before.
+    void begin_order() noexcept { pace_.wait_at_most(0U); }
+    void continue_order() noexcept { pace_.wait_at_most(least_cycles_between_records); }
+
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
     // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.
@@ -64,10 +69,17 @@ class KeptData {
         }
     }
 
+    // Findings of a tester's section memory, which are reported with those of this one.
+    void report_section_memory(bool is_failing) noexcept {
+        is_section_failing_ = is_failing;
+        is_failing_ = is_own_failing_ || is_section_failing_;
+    }
+
     // All that was to be stored at once has been taken by the memory.
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 
-    // The memory has refused a record for some time, or had at the start only what could not be read.
+    // This memory or the other has refused a record for some time, or this one had at the start only what
+    // could not be read; and has taken none since.
     bool is_failing() const noexcept { return is_failing_; }
 
  private:
@@ -88,8 +100,9 @@ class KeptData {
     TroubleMemory codes_{};
     WrittenData written_{};
     application::WritePace pace_{};
-    bool is_lost_{false};
-    bool is_failing_{false};
+    bool is_own_failing_{false};
+    bool is_section_failing_{false};
+    bool is_failing_{false};  // one of both: asked for in every cycle
     std::uint32_t orders_left_{most_orders};
     std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };

@@ -108,6 +108,7 @@ Nrc SectionDownload::check_and_store(std::uint8_t& refusal) noexcept {
     }
     refusal = 0U;
     const SectionAnswer answer = target_->store(refusal);
+    is_memory_failing_ = target_->is_failing();
     if (answer == SectionAnswer::busy) {
         return Nrc::response_pending;
     }

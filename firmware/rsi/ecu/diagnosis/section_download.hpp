@@ -22,8 +22,12 @@ class SectionDownload {
     Nrc transfer(const Request& request, Response& response) noexcept;
     Nrc end(const Request& request) noexcept;
 
-    // After a whole download only; ends it, unless the memory is busy. Nrc::response_pending: again.
+    // After a whole download only; ends it, unless the memory is busy. Nrc::response_pending: again in the
+    // next cycle, or abort().
     Nrc check_and_store(std::uint8_t& refusal) noexcept;
+
+    // As the target was after the last try to store.
+    bool is_memory_failing() const noexcept { return is_memory_failing_; }
 
     void abort() noexcept { state_ = State::idle; }
 
@@ -39,6 +43,7 @@ class SectionDownload {
     std::size_t received_{0U};
     std::uint8_t next_block_{1U};
     State state_{State::idle};
+    bool is_memory_failing_{false};
 };
 
 }  // namespace rsi::diagnosis

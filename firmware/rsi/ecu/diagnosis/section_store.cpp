@@ -14,6 +14,9 @@ bool SectionStore::restore() noexcept {
 }
 
 SectionAnswer SectionStore::store(std::uint8_t& reason) noexcept {
+    if (!record_.is_due()) {
+        return SectionAnswer::busy;
+    }
     const application::ParametersRefusal refusal = check();
     reason = static_cast<std::uint8_t>(refusal);
     if (refusal != application::ParametersRefusal::none) {

@@ -31,6 +31,7 @@ class SectionStore final : public SectionTarget {
     }
     void put(std::size_t place, std::uint8_t byte) noexcept override { bytes_[place] = byte; }
     SectionAnswer store(std::uint8_t& reason) noexcept override;
+    bool is_failing() const noexcept override { return record_.is_failing(); }
 
  private:
     application::ParametersRefusal check() noexcept;

@@ -280,7 +280,12 @@ Nrc UdsServer::reset(const EcuState& ecu) noexcept {
         return Nrc::conditions_not_correct;
     }
     kept_.codes().count_reset();
-    waiting_ = Waiting::codes_stored_before_reset;
+    return wait_for_codes(Waiting::codes_stored_before_reset);
+}
+
+Nrc UdsServer::wait_for_codes(Waiting reason) noexcept {
+    kept_.begin_order();
+    waiting_ = reason;
     return Nrc::response_pending;
 }
 
@@ -308,8 +313,7 @@ Nrc UdsServer::clear_codes(const Request& request, const EcuState& ecu) noexcept
     } else {
         kept_.codes().clear(row);
     }
-    waiting_ = Waiting::codes_stored;
-    return Nrc::response_pending;
+    return wait_for_codes(Waiting::codes_stored);
 }
 
 // Unknown identifiers are left out of the response; if all are unknown, the request is out of range.
@@ -351,8 +355,7 @@ Nrc UdsServer::write_data(const Request& request, const EcuState& ecu) noexcept 
     }
     write_identifier(identifier, request, header, kept_.written());
     kept_.codes().request_storing(Storing::now);
-    waiting_ = Waiting::codes_stored;
-    return Nrc::response_pending;
+    return wait_for_codes(Waiting::codes_stored);
 }
 
 Nrc UdsServer::security_access(const Request& request) noexcept {
@@ -479,6 +482,7 @@ Nrc UdsServer::check_section(const Request& request, const EcuState& ecu) noexce
         begin_routine_answer(request);
         response_.put(refusal);
     }
+    kept_.report_section_memory(download_.is_memory_failing());
     return code;
 }
 
@@ -494,18 +498,28 @@ Nrc UdsServer::request_download(const Request& request, const EcuState& ecu) noe
 Nrc UdsServer::storage_answer(const EcuState& ecu) noexcept {
     const bool is_late = (wait_cycles_ >= most_wait_cycles);
     if (waiting_ == Waiting::section_stored) {
-        const Nrc code = check_section(waiting_for_, ecu);
-        return ((code == Nrc::response_pending) && is_late) ? Nrc::programming_failure : code;
+        return section_answer(check_section(waiting_for_, ecu), is_late);
     }
-    if (!kept_.is_stored() && !is_late) {
-        return Nrc::response_pending;
+    if (!kept_.is_stored()) {
+        kept_.continue_order();
+        return is_late ? Nrc::programming_failure : Nrc::response_pending;
     }
-    if (waiting_ == Waiting::codes_stored_before_reset) {  // a storage failure does not prevent the reset
+    if (waiting_ == Waiting::codes_stored_before_reset) {  // not before it is counted
         promise_reset(waiting_for_);
         return Nrc::none;
     }
     begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);
-    return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;
+    return Nrc::none;
+}
+
+// Each wait ends the download, so that the tries of a memory are limited as downloads are.
+Nrc UdsServer::section_answer(Nrc code, bool is_late) noexcept {
+    const bool is_busy = (code == Nrc::response_pending);
+    if (is_busy && !is_late) {
+        return code;
+    }
+    download_.abort();
+    return is_busy ? Nrc::programming_failure : code;
 }
 
 void UdsServer::wait_for_storage(const EcuState& ecu) noexcept {

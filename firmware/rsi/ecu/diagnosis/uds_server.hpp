@@ -84,6 +84,7 @@ class UdsServer {
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc reset(const EcuState& ecu) noexcept;
+    Nrc wait_for_codes(Waiting reason) noexcept;
     void promise_reset(const Request& request) noexcept;
     void switch_all_on() noexcept;
     Nrc clear_codes(const Request& request, const EcuState& ecu) noexcept;
@@ -101,6 +102,7 @@ class UdsServer {
 
     void drop_functional_request() noexcept;
     void wait_for_storage(const EcuState& ecu) noexcept;
+    Nrc section_answer(Nrc code, bool is_late) noexcept;
     Nrc storage_answer(const EcuState& ecu) noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
