@@ -237,8 +237,7 @@ void leave_out_damaged_times(SiftedLog& log) {
     for (std::size_t index = 0U; index < log.frames.size(); ++index) {
         LoggedFrame& frame = log.frames[index];
         const bool is_between = !frames.empty() && index + 1U < log.frames.size();
-        if (!is_between || !is_jump(frames.back(), frame) ||
-            is_jump(frames.back(), log.frames[index + 1U])) {
+        if (!is_between || !is_jump(frames.back(), frame) || is_jump(frames.back(), log.frames[index + 1U])) {
             frames.push_back(std::move(frame));
         } else if (++log.left_out.damaged_times == 1U) {
             log.left_out.first_damaged_time = frame.line;

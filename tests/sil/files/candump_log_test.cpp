@@ -345,8 +345,8 @@ std::string log_of(std::initializer_list<const char*> times) {
 
 TEST(SiftCandumpLog, AFrameWhoseTimeAloneJumpsAwayIsLeftOutAndCounted) {
     for (const char* damaged : {"1060.040001", "998.999999", "0.020000", "9000000000.999999"}) {
-        const auto log = sil::sift_candump_log(log_of({"1000.0", "1000.000000", damaged, "1000.030000",
-                                                       "1000.040000", damaged, "1000.060000"}));
+        const auto log = sil::sift_candump_log(
+            log_of({"1000.0", "1000.000000", damaged, "1000.030000", "1000.040000", damaged, "1000.060000"}));
         ASSERT_EQ(log.frames.size(), 4U) << damaged;
         EXPECT_EQ(log.frames[1].line, 4U);
         EXPECT_EQ(log.left_out.damaged_times, 2U);
