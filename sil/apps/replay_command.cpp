@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
@@ -47,12 +46,6 @@ const std::vector<std::string>& replay_contents() {
                                                 "events.gp",   "summary.json", "report.html",
                                                 "replay.svg",  "replay.png"};
     return names;
-}
-
-// The first line of a log begins with "(", no CSV header does.
-bool is_candump_log(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && text[first] == '(';
 }
 
 DriveReplay replay_log(const std::vector<LoggedFrame>& log, const std::filesystem::path& file,

@@ -105,13 +105,15 @@ class LineParser {
         expect('.', "'.' and six decimals of the time");
         std::int64_t microseconds = 0;
         constexpr int decimals = 6;
-        for (int digit = 0; digit < decimals; ++digit, ++position_) {
+        constexpr int most_decimals = 9;
+        for (int digit = 0; digit < most_decimals && (digit < decimals || is_decimal(current()));
+             ++digit, ++position_) {
             if (!is_decimal(current())) {
                 fail("the time needs six decimals");
             }
-            microseconds = microseconds * 10 + (current() - '0');
+            microseconds = digit < decimals ? microseconds * 10 + (current() - '0') : microseconds;
         }
-        expect(')', "')' after six decimals of the time");
+        expect(')', "')' after six to nine decimals of the time");
         logged_.frame.receive_time.nanoseconds =
             seconds * nanoseconds_per_second + microseconds * nanoseconds_per_microsecond;
     }
@@ -218,6 +220,32 @@ class LineParser {
     LoggedFrame logged_;
 };
 
+// From a frame to the next on a bus; the recorders of several processors write that much out of order.
+constexpr rsi::hal::Time longest_step = rsi::hal::Time::from_milliseconds(60'000);
+constexpr rsi::hal::Time longest_step_back = rsi::hal::Time::from_milliseconds(1'000);
+
+bool is_jump(const LoggedFrame& one, const LoggedFrame& next) {
+    const rsi::hal::Time from = one.frame.receive_time;
+    const rsi::hal::Time to = next.frame.receive_time;
+    return longest_step < to - from || longest_step_back < from - to;
+}
+
+// A frame whose time alone jumps away from both neighbours has a damaged one: the clock was not set.
+void leave_out_damaged_times(SiftedLog& log) {
+    std::vector<LoggedFrame> frames;
+    frames.reserve(log.frames.size());
+    for (std::size_t index = 0U; index < log.frames.size(); ++index) {
+        LoggedFrame& frame = log.frames[index];
+        const bool is_between = !frames.empty() && index + 1U < log.frames.size();
+        if (!is_between || !is_jump(frames.back(), frame) || is_jump(frames.back(), log.frames[index + 1U])) {
+            frames.push_back(std::move(frame));
+        } else if (++log.left_out.damaged_times == 1U) {
+            log.left_out.first_damaged_time = frame.line;
+        }
+    }
+    log.frames = std::move(frames);
+}
+
 // Hands every line that is not empty to `take`, with its number.
 template <typename Take>
 void for_each_line(std::string_view text, const Take& take) {
@@ -260,6 +288,12 @@ std::string format_candump_line(const LoggedFrame& logged) {
     return line;
 }
 
+bool is_candump_log(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    constexpr std::string_view lost_frames = "DROPCOUNT";
+    return text.substr(0U, 1U) == "(" || text.substr(0U, lost_frames.size()) == lost_frames;
+}
+
 ParsedCandumpLine parse_candump_line(std::string_view line) {
     if (!line.empty() && line.back() == '\r') {
         line.remove_suffix(1U);
@@ -287,6 +321,10 @@ std::string LeftOutLines::text(const std::filesystem::path& file) const {
         text += fmt::format(", the first {}:{}:{}: {}", file.string(), first_wrong, first_error.column,
                             first_error.message);
     }
+    add(damaged_times, "frames whose time jumps away from those beside them");
+    if (damaged_times > 0U) {
+        text += fmt::format(", the first {}:{}", file.string(), first_damaged_time);
+    }
     return text.empty() ? text : fmt::format("{}: left out: {}\n", file.string(), text);
 }
 
@@ -304,6 +342,7 @@ SiftedLog sift_candump_log(std::string_view text) {
             log.left_out.first_error = std::move(parsed.error);
         }
     });
+    leave_out_damaged_times(log);
     return log;
 }
 

@@ -45,9 +45,14 @@ struct ParsedCandumpLine {
     CandumpLineError error;
 };
 
+// The first line of a log begins with "(", or with the recorder's note of frames that it lost; no CSV header
+// does.
+bool is_candump_log(std::string_view text);
+
 // Reads one line, without its line feed. Any bytes may come: what is no data frame is an error, never a
 // crash. Remote frames, error frames and CAN XL are errors. A carriage return, the direction " R" or " T"
-// that `candump -x` adds and the raw length code "_9" to "_F" of `candump -8` are accepted.
+// that `candump -x` adds, the raw length code "_9" to "_F" of `candump -8`, and up to nine decimals of the
+// time, of which six are kept, are accepted.
 ParsedCandumpLine parse_candump_line(std::string_view line);
 
 // All frames of a log that this project wrote, in the order of the file, whatever their times (candump may
@@ -65,6 +70,8 @@ struct LeftOutLines {
     std::size_t wrong{0U};        // notes of the recorder, CAN XL, damage
     std::size_t first_wrong{0U};  // line of the first of these, counted from 1
     CandumpLineError first_error;
+    std::size_t damaged_times{0U};       // frames with a time far from those of both neighbours
+    std::size_t first_damaged_time{0U};  // line of the first of these
 
     // A line for a person; empty where nothing was left out.
     std::string text(const std::filesystem::path& file) const;

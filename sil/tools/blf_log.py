@@ -4,7 +4,6 @@ import struct
 import zlib
 
 from can.io import blf
-from can.util import dlc2len
 
 from bus_frame import Frame, checked
 from blf_objects import HEADER, Objects
@@ -116,7 +115,7 @@ def classic(data, at):
 
 
 def flexible(data, at):
-    bus, flags, code, identifier, _, _, kind, length, payload = blf.CAN_FD_MSG_STRUCT.unpack_from(data, at)
+    bus, flags, _, identifier, _, _, kind, length, payload = blf.CAN_FD_MSG_STRUCT.unpack_from(data, at)
     return flags & 0xF, flags & blf.REMOTE_FLAG, (bus, identifier, payload[:length], kind & 1, kind & 2, kind & 4)
 
 

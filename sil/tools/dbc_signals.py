@@ -295,13 +295,16 @@ def of_parameter_groups(messages, logs):
     for wanted in (wanted for same in messages.values() for wanted in same if id(wanted) not in stand_ins):
         other = wanted.stand_in
         if other is not None and other.count and not wanted.is_seen():
-            address = min(identifier for log in logs for _, identifier in other.senders.get(log, ())) & 0xFF
-            frame_id = wanted.message.frame_id
-            print(f"sil/tools/logs: no frame has the identifier 0x{frame_id:X} of {wanted.message.name}: those of its J1939 "
-                  f"parameter group {parameter_group(frame_id)} are taken, from source address 0x{address:02X}", file=sys.stderr)
+            sender = min(identifier for log in logs for _, identifier in other.senders.get(log, ()))
+            print(f"sil/tools/logs: {said_of_group(wanted.message, sender)}", file=sys.stderr)
             wanted = other
         used.append(wanted)
     return used
+
+
+def said_of_group(message, sender):
+    return (f"no frame has the identifier 0x{message.frame_id:X} of {message.name}: those of its J1939 parameter group "
+            f"{parameter_group(message.frame_id)} are taken, from source address 0x{sender & 0xFF:02X}")
 
 
 def take(frame, messages, path):

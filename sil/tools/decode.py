@@ -25,6 +25,7 @@ def make(log_or_run, dbc, output):
     messages = {}
     for message in database.messages:
         messages.setdefault(dbc_signals.key_of(message), Decoder(message))
+    messages.update(stand_ins(path, list(messages.values()), messages))
     log = BusLog(path)
     unknown = {}
     clock = Clock(earliest_s=0.0, longest_gap_s=math.inf, longest_s=math.inf)
@@ -42,7 +43,7 @@ def make(log_or_run, dbc, output):
             raise LogError(f"{path}: has no frame that {database.name} knows; give the DBC file of its frames with --dbc")
         for writer in writers:
             writer.finish()
-    account(path, messages.values(), unknown, folder)
+    account(path, {id(decoder): decoder for decoder in messages.values()}.values(), unknown, folder)
 
 
 def places(log_or_run, output):
@@ -63,6 +64,20 @@ def places(log_or_run, output):
     if path.exists() and path.resolve() in [(folder / name).resolve() for name in ("signals.mf4", "run.mcap")]:
         raise LogError(f"{path}: the result would take its place; choose another folder with --output")
     return pathlib.Path(path), folder
+
+
+def stand_ins(path, decoders, messages):
+    """Decoders of messages whose identifier no frame has, by their J1939 parameter group. The log is read for it."""
+    absent = {decoder.message.frame_id: decoder for decoder in decoders
+              if decoder.message.is_extended_frame and decoder.message.protocol != "j1939"}
+    if absent:
+        for frame in BusLog(path).frames():
+            if frame.extended:
+                absent.pop(frame.identifier, None)
+    by_group = {}
+    for decoder in absent.values():
+        by_group.setdefault(("pgn", dbc_signals.parameter_group(decoder.message.frame_id)), decoder)
+    return {key: decoder for key, decoder in by_group.items() if key not in messages}
 
 
 def decoder_of(frame, messages):
@@ -119,6 +134,8 @@ class Decoder:
 def account(path, decoders, unknown, folder):
     print(f"{path}: " + ", ".join(f"{one.count} {one.message.name}" for one in decoders if one.count))
     for one in decoders:
+        if one.first and one.message.protocol != "j1939" and one.first[1] != one.message.frame_id:
+            print(f"  {dbc_signals.said_of_group(one.message, one.first[1])}")
         if one.undecodable:
             print(f"  {one.undecodable} frames of {one.message.name} could not be decoded")
     if unknown:

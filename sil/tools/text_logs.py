@@ -10,7 +10,7 @@ from text_lines import frames_by, is_comment, lines_of
 
 CANDUMP_LINE = re.compile(
     r"\((\d+\.\d{6,9})\) (\S+) ([0-9A-Fa-f]{3}|[0-9A-Fa-f]{8})#(?:#([0-9A-Fa-f]))?((?:[0-9A-Fa-f]{2})*)"
-    r"(?:_[0-9A-Fa-f])?(?: [RT])?")  # _9 to _F: a raw length code of `candump -8`
+    r"(?:(?<=#[0-9A-Fa-f]{16})_[9A-Fa-f])?(?: [RT])?")  # _9 to _F: a raw length code of `candump -8`, for 8 bytes
 CANDUMP_OTHERS = (
     ("remote frames", re.compile(r"\(\d+\.\d{6,9}\) \S+ [0-9A-Fa-f]+#[Rr]\w*(?: [RT])?")),
     ("error frames", re.compile(r"\(\d+\.\d{6,9}\) \S+ [2-3][0-9A-Fa-f]{7}#.*")),

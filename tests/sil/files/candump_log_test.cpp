@@ -167,7 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"(99999999999.000000) vcan0 123#00", 11U, "beyond"},
                     Malformed{"(99999999999999999999999999.000000) vcan0 123#00", 11U, "beyond"},
                     Malformed{"(1.00000) vcan0 123#00", 9U, "six decimals"},
-                    Malformed{"(1.0000000) vcan0 123#00", 10U, "six decimals"},
+                    Malformed{"(1.0000000", 11U, "')' after six to nine decimals"},
+                    Malformed{"(1.0000000000) vcan0 123#00", 13U, "')' after six to nine decimals"},
                     Malformed{"(1.000000)vcan0 123#00", 11U, "space"},
                     Malformed{"(1.000000)  123#00", 12U, "name of the interface"},
                     Malformed{"(1.000000) vcan0", 17U, "space"},
@@ -193,6 +194,23 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"(1.000000) vcan0 123#11223344556677_9", 36U, "end of the line"},
                     Malformed{"(1.000000) vcan0 123##", 23U, "flags"},
                     Malformed{"(1.000000) vcan0 123##1112233445566778899", 42U, "9 bytes"}));
+
+TEST(ParseCandumpLine, LeavesOutWhatIsBelowAMicrosecond) {
+    for (const char* time : {"(1.234567)", "(1.2345678)", "(1.23456789)", "(1.234567999)"}) {
+        const auto parsed = sil::parse_candump_line(std::string{time} + " vcan0 123#00");
+        ASSERT_TRUE(parsed.frame) << time << ": " << parsed.error.message;
+        EXPECT_EQ(parsed.frame->frame.receive_time.nanoseconds, 1'234'567'000) << time;
+    }
+}
+
+TEST(IsCandumpLog, KnowsALineAndANoteOfLostFrames) {
+    EXPECT_TRUE(sil::is_candump_log("(0.010000) can0 120#00\n"));
+    EXPECT_TRUE(sil::is_candump_log("\n \r\n(0.010000) can0 120#00\n"));
+    EXPECT_TRUE(sil::is_candump_log("\nDROPCOUNT: dropped 5 CAN frames on 'can0' socket\n"));
+    for (const char* other : {"", " \n", "time_s,speed_mps\n", "DROP", "x(0.010000) can0 120#00\n"}) {
+        EXPECT_FALSE(sil::is_candump_log(other)) << other;
+    }
+}
 
 TEST(ParseCandumpLine, TakesARawLengthCodeFor8Bytes) {
     for (const char* end : {"", "_9", "_F R", "_a T"}) {
@@ -315,6 +333,38 @@ TEST(SiftCandumpLog, AnIdentifierBeyondThatOfAnErrorFrameIsWrong) {
     const auto log = sil::sift_candump_log("(0.010000) can0 820#00\n(0.010000) can0 4FFFFFFF#00\n");
     EXPECT_EQ(log.left_out.wrong, 2U);
     EXPECT_EQ(log.left_out.error_frames, 0U);
+}
+
+std::string log_of(std::initializer_list<const char*> times) {
+    std::string text;
+    for (const char* time : times) {
+        text += std::string{"("} + time + ") can0 120#00\n";
+    }
+    return text;
+}
+
+TEST(SiftCandumpLog, AFrameWhoseTimeAloneJumpsAwayIsLeftOutAndCounted) {
+    for (const char* damaged : {"1060.040001", "998.999999", "0.020000", "9000000000.999999"}) {
+        const auto log = sil::sift_candump_log(
+            log_of({"1000.0", "1000.000000", damaged, "1000.030000", "1000.040000", damaged, "1000.060000"}));
+        ASSERT_EQ(log.frames.size(), 4U) << damaged;
+        EXPECT_EQ(log.frames[1].line, 4U);
+        EXPECT_EQ(log.left_out.damaged_times, 2U);
+        EXPECT_EQ(log.left_out.text("a.log"),
+                  "a.log: left out: 1 lines that are no frames, the first a.log:1:8: the time needs six "
+                  "decimals; 2 frames whose time jumps away from those beside them, the first a.log:3\n");
+    }
+}
+
+TEST(SiftCandumpLog, AStepOfTheClockAndLittleDisorderCostNoFrame) {
+    for (const auto& times :
+         {log_of({"1.000000", "61.000000", "1.010000"}), log_of({"2.000000", "1.000000", "2.010000"}),
+          log_of({"1.000000", "5000.000000", "5000.010000"}), log_of({"5000.000000", "1.000000"}),
+          log_of({"1.000000", "5000.000000"}), log_of({"1.000000", "5000.000000", "9000.000000"})}) {
+        const auto log = sil::sift_candump_log(times);
+        EXPECT_EQ(log.left_out.text("a.log"), "") << times;
+        EXPECT_EQ(log.frames.size(), static_cast<std::size_t>(std::count(times.begin(), times.end(), '\n')));
+    }
 }
 
 TEST(SiftCandumpLog, NothingIsSaidOfAWholeLog) {

@@ -3,7 +3,9 @@
 The material of others is in tests/sil/foreign/material_test.py.
 """
 
+import os
 import pathlib
+import signal
 import sys
 import tempfile
 import unittest
@@ -11,6 +13,7 @@ import unittest.mock
 
 import damaging
 
+import apart
 import asammdf
 import bus_log_writers
 import can
@@ -93,6 +96,19 @@ class Damage(unittest.TestCase):
                                ("disk", lambda: (self.folder / "large").write_bytes(bytes(1 << 22)))):
                 self.assertFalse(damaging.within_bounds(10, work).ended, name)
         self.assertEqual(damaging.within_bounds(10, lambda: 5), damaging.Outcome(True, 5, None, ""))
+
+    def test_work_apart_that_waits_for_ever_is_ended(self):
+        def work():
+            yield 1
+            yield from [bytes(1 << 20), 3]
+            signal.pause()
+
+        items = []
+        with unittest.mock.patch.object(apart, "WALL_PER_CPU", 0.25), self.assertRaisesRegex(apart.Ended, "nothing came .* for 1 s"):
+            items.extend(apart.items(10, work))
+        self.assertTrue(items == [1, bytes(1 << 20), 3], f"{len(items)} items")
+        with self.assertRaises(ChildProcessError):
+            os.waitpid(-1, os.WNOHANG)
 
 
 if __name__ == "__main__":

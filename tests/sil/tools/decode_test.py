@@ -129,6 +129,20 @@ class Decode(drive_support.WithDrives):
         self.refused(f"{log}: the time runs back from 5.000000 s to 0.010000 s: ", "decode", log, "--dbc", dbc, "--output",
                      self.folder)
 
+    def test_frames_of_the_parameter_group_stand_in_for_an_identifier_that_is_not_there(self):
+        dbc = self.folder / "group.dbc"
+        dbc.write_text('VERSION ""\nNS_ :\nBS_:\nBU_: N\n' + "".join(
+            f'BO_ {identifier | 1 << 31} {name}: 1 N\n SG_ Of{name} : 0|8@1+ (1,0) [0|0] "" N\n'
+            for identifier, name in ((0x18F00903, "Absent"), (0x18F00A03, "Present"))), encoding="utf-8")
+        log = self.folder / "group.log"
+        log.write_text("(0.0000000) can0 0CF00917#01\n(0.010000) can0 18F00A03#02\n(0.020000) can0 18F00A17#03\n"
+                       "(0.030000) can0 109#04\n", encoding="ascii")
+        _, messages, said = self.decoded(log, "--dbc", dbc)
+        self.assertEqual({topic: len(found) for topic, found in messages.items()}, {"/Absent": 1, "/Present": 1})
+        self.assertIn("no frame has the identifier 0x18F00903 of Absent: those of its J1939 parameter group 61449 are taken, from "
+                      "source address 0x17", said)
+        self.assertIn("2 frames are not in the DBC file: 0x109, 0x18F00A17", said)
+
     def test_overlapping_signals_are_decoded_one_by_one(self):
         dbc = self.folder / "overlaps.dbc"
         dbc.write_text('VERSION ""\nNS_ :\nBS_:\nBU_: N\nBO_ 5 M: 2 N\n SG_ Both : 0|16@1+ (1,0) [0|0] "" N\n'

@@ -96,6 +96,8 @@ class Candump(WithLogs):
     def test_a_damaged_line_costs_that_line(self):
         for line, reason in (("(0.29x000) can0 120#00\n", "it is no line of `candump -L`, such as (0.010000) can0 123#AABB"),
                              ("(0.295000) can0 120#0\n", "it is no line of `candump -L`, such as (0.010000) can0 123#AABB"),
+                             *((f"(0.295000) can0 120{data}\n", "it is no line of `candump -L`, such as (0.010000) can0 123#AABB")
+                               for data in ("#1122334455667788_8", "#11223344556677_9", "##11122334455667788_9")),
                              ("(0.295000) can0 120#112233445566778899\n", "no classic frame has 9 bytes"),
                              ("(0.295000) can0 120##1112233445566778899\n", "no CAN FD frame has 9 bytes"),
                              ("(0.295000) can0 820#00\n", "there is no standard identifier 820"),
