@@ -11,7 +11,9 @@ import decode
 import draft
 import drive
 import own_frames
+import verdict
 from log_error import LogError
+from mapping_answers import Unanswered
 
 
 def parse(arguments):
@@ -34,6 +36,14 @@ def parse(arguments):
     decode_of.add_argument("log", type=pathlib.Path, metavar="RUN|LOG")
     decode_of.add_argument("--dbc", action="append", type=pathlib.Path, metavar="FILE")
     decode_of.add_argument("--output", type=pathlib.Path, metavar="DIR")
+    verdict_of = commands.add_parser("verdict", add_help=False)
+    verdict_of.add_argument("folder", type=pathlib.Path, metavar="FOLDER")
+    verdict_of.add_argument("--dbc", action="append", type=pathlib.Path, metavar="FILE")
+    verdict_of.add_argument("--vehicle-data", type=pathlib.Path, metavar="FILE")
+    verdict_of.add_argument("--parameters", metavar="FILE|NAME")
+    verdict_of.add_argument("--answer", choices=("left", "right"))
+    verdict_of.add_argument("--output", type=pathlib.Path, metavar="DIR")
+    verdict_of.add_argument("--program", type=pathlib.Path, default=verdict.PROGRAM, metavar="FILE")
     return parser.parse_args(arguments)
 
 
@@ -49,6 +59,11 @@ def main(arguments):
             draft.make(options.dbc, options.log, options.output)
         elif options.command == "decode":
             decode.make(options.log, options.dbc, options.output)
+        elif options.command == "verdict":
+            verdict.make(options)
+    except Unanswered as error:
+        print(f"sil/tools/logs: {error}", file=sys.stderr)
+        sys.exit(3)
     except LogError as error:
         sys.exit(f"sil/tools/logs: {error}")
     except KeyboardInterrupt:

@@ -45,6 +45,7 @@ def make(logs, dbc, mapping_file, output):
         print(f"sil/tools/logs: the drive was written, but a range is not as the signal (LOOK above): say in {mapping_file} which "
               "one it has", file=sys.stderr)
     print(f"  {output}")
+    return drive
 
 
 def check_quantities(mapping):
