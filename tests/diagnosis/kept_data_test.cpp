@@ -171,11 +171,19 @@ TEST(KeptData, RecordsOfWhichNoneCanBeReadAreAFailure) {
     Life life{memories};
     life.run(1);
     EXPECT_TRUE(life.data.is_failing()) << "refused, they are as lost as they were";
+    life.data.report_section_memory(true);
+    EXPECT_TRUE(life.data.is_failing());
+    life.data.report_section_memory(false);
+    EXPECT_TRUE(life.data.is_failing()) << "that of this one stays";
     memories.other.refuse(false);
     memories.one.refuse(false);
     life.run(1);
     EXPECT_TRUE(life.data.is_stored());
     EXPECT_FALSE(life.data.is_failing()) << "a record has been taken since";
+    life.data.report_section_memory(true);
+    EXPECT_TRUE(life.data.is_failing());
+    life.data.report_section_memory(false);
+    EXPECT_FALSE(life.data.is_failing());
 }
 
 // Every write of a life with ten codes, one after the other, cut at the beginning, at the end, and at bytes

@@ -343,6 +343,7 @@ struct Report {
         const rsi::application::RolloverEcu& ecu = bench.ecu().ecu();
         has_code =
             ecu.diagnostic_memory().confirmed(rsi::monitoring::DiagnosticCode::stored_parameters_refused);
+        EXPECT_EQ(ecu.stored_refusal() != rsi::application::ParametersRefusal::none, has_code);
         for (const rsi::hal::CanFrame& frame : bench.others) {
             if (frame.identifier == rsi::can_dbc::RolloverWarning::identifier) {
                 sent =

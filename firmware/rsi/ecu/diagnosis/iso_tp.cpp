@@ -180,7 +180,8 @@ void IsoTp::take_flow_control(const hal::CanFrame& frame) noexcept {
 }
 
 Request IsoTp::request() const noexcept {
-    if ((functional_length_ != 0U) && !(physical_waits_ && was_functional_)) {
+    const bool physical_is_next = physical_waits_ && was_functional_;
+    if ((functional_length_ != 0U) && !physical_is_next) {
         return Request{functional_.data(), functional_length_, true};
     }
     return Request{physical_.data(), physical_waits_ ? physical_length_ : 0U, false};

@@ -42,8 +42,8 @@ class MemoryGuard {
     // take it: a permanent fault.
     bool is_failing() const noexcept { return is_failing_; }
 
-    // Neither object nor copy is what was kept. A caller that keeps what is made of it would trust it from then
-    // on.
+    // Neither object nor copy is what was kept. A caller that keeps what is made of it would trust it from
+    // then on.
     bool is_lost() const noexcept { return is_lost_; }
 
  private:
