@@ -40,7 +40,8 @@ NAMES.update({f"wheel_load_{corner}": rf"\b({TYRE} ?)?{LOAD} ?{text}\b|\b{text} 
 # Enough where the unit says the rest.
 WITH_UNIT = {"lateral_acceleration": r"\b(lat|lateral|quer)\b", "vertical_acceleration": r"\b(vert|vertical|vertikal)\b",
              "roll_rate": r"\b(roll|wank)\b", "roll_angle": r"\b(roll|wank)\b", "yaw_rate": r"\b(yaw|gier)\b",
-             "steering_wheel_angle": r"\b(lenkrad|steering wheel|steering)\b"}
+             "speed": r"^vx?( (mps|kmh|kph|mph))?$",
+             "steering_wheel_angle": r"\b(lenkrad|steering wheel|steering|(steer|delta) ?(hw|sw)|hand ?wheel|swa|lwi)\b"}
 WITH_UNIT.update({f"wheel_load_{corner}": rf"\b({TYRE} ?{text}|{text} ?{TYRE})\b" for corner, text in CORNERS.items()})
 NOT_MEANT = (r"\b(qual\w*|q ?bit|qf|qly|valid\w*|vld|sta|stat\w*|offset|ofs|offs|bias|crc|cs|cks|cksum|chk\w*|check ?sum\w*|"
              r"pruef\w*|pr\u00fcf\w*|cnt\w*|cntr|ctr|count\w*|counter|zaehler|z\u00e4hler|alive|bz|err\w*|fault\w*|flt|fail\w*|"

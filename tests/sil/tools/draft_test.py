@@ -164,6 +164,14 @@ class Draft(drive_support.WithDrives):
             self.assertEqual(signal_names.candidates(quantity, signals), (signals, True), (quantity, name))
             self.assertIsNotNone(factor_of(unit, QUANTITIES[quantity].dimension), unit)
 
+    def test_short_names_with_units(self):
+        for name, unit, quantity in (("v_mps", "m/s", "speed"), ("vx", "km/h", "speed"), ("vy_mps", "m/s", None),
+                                     ("steer_hw_deg", "deg", "steering_wheel_angle"), ("steer_rw_deg", "deg", None),
+                                     ("SWA", "deg", "steering_wheel_angle"), ("LWI", "Grad", "steering_wheel_angle")):
+            signals = [Candidate(name, name, unit, "")]
+            found = [each for each in signal_names.QUANTITIES if signal_names.candidates(each, signals)[0]]
+            self.assertEqual(found, [quantity] if quantity else [], name)
+
     def test_unsure_signals_are_asked_for(self):
         def is_clear(quantity, name, unit="", comment="", message="M"):
             found, clear = signal_names.candidates(quantity, [Candidate(f"{message}.{name}", name, unit, comment)])
