@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Include{"firmware/rsi/model/a.cpp", "vector"}, Include{"firmware/rsi/rsi.h", "math.h"},
                       Include{"firmware/rsi/model/a.cpp", "../component.hpp"},
                       Include{"can_dbc/include/rsi/can_dbc/codec.hpp", "rsi/rsi.h"},
+                      Include{"can_dbc/include/rsi/can_dbc/codec.hpp", "rsi/language.hpp"},
                       Include{"can_dbc/include/rsi/can_dbc/codec.hpp", "linux/can.h"},
                       Include{"can_dbc/include/rsi/can_dbc/codec.hpp", "rsi/hal/can_bus.hpp"},
                       Include{"hal/interface/rsi/hal/can_bus.hpp", "rsi/can_dbc/codec.hpp"},
