@@ -88,13 +88,13 @@ bool is_of_a_vehicle_number(std::uint8_t letter) {
     return is_digit || (is_capital && (letter != 'I') && (letter != 'O') && (letter != 'Q'));
 }
 
-constexpr std::uint32_t no_number = 100U;
+bool is_decimal(std::uint8_t byte) {
+    return ((byte >> 4U) <= 9U) && ((byte & 0x0FU) <= 9U);
+}
 
-// Number of two decimal digits; no_number where one of them is none.
+// Number of two decimal digits.
 std::uint32_t decimal(std::uint8_t byte) {
-    const std::uint32_t tens = std::uint32_t{byte} >> 4U;
-    const std::uint32_t ones = byte & 0x0FU;
-    return ((tens <= 9U) && (ones <= 9U)) ? (10U * tens + ones) : no_number;
+    return 10U * (std::uint32_t{byte} >> 4U) + (byte & 0x0FU);
 }
 
 // Century, year, month and day; years that can be divided by four are leap years until 2100.
@@ -102,7 +102,9 @@ bool is_date(const Request& request, std::size_t place) {
     constexpr std::array<std::uint8_t, 12> days{31U, 28U, 31U, 30U, 31U, 30U, 31U, 31U, 30U, 31U, 30U, 31U};
     const std::uint32_t year = decimal(request.byte(place + 1U));
     const std::uint32_t month = decimal(request.byte(place + 2U));
-    if ((decimal(request.byte(place)) != 20U) || (year == no_number) || !is_between(month, 1U, 12U)) {
+    const bool is_year = (request.byte(place) == 0x20U) && is_decimal(request.byte(place + 1U));
+    const bool are_digits = is_decimal(request.byte(place + 2U)) && is_decimal(request.byte(place + 3U));
+    if (!is_year || !are_digits || !is_between(month, 1U, 12U)) {
         return false;
     }
     const bool is_long = (month == 2U) && (year % 4U == 0U);
