@@ -1,9 +1,12 @@
 #include "sil/apps/drawing_script.hpp"
 
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
 
-#include <filesystem>
 #include <stdexcept>
+
+extern char** environ;
 
 namespace sil {
 
@@ -19,6 +22,15 @@ std::string drawing_script(const std::string& name) {
         "there is no {} in the folders above {}; start the program from the project's build folder or from "
         "the whole unpacked release, or give --no-pictures",
         name, program.string()));
+}
+
+bool is_drawn(std::string script, const std::filesystem::path& folder) {
+    std::string argument = std::filesystem::absolute(folder).string();
+    char* arguments[] = {script.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    int status = 1;
+    return posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ) == 0 &&
+           waitpid(child, &status, 0) == child && status == 0;
 }
 
 }  // namespace sil

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/generated_page.hpp"
 #include "sil/apps/progress_line.hpp"
 #include "sil/apps/stop_request.hpp"
 #include "sil/files/file_io.hpp"
@@ -80,11 +81,7 @@ void run_searches(const FaultSearchRequest& request) {
         fail_if_any(vanished_findings(reports), "known, but no longer found");
         write_file_atomically(request.document, search_document(sections));
     }
-    if (!request.checked.empty() && read_whole_file(request.checked).find(sections) == std::string::npos) {
-        throw std::runtime_error(
-            fmt::format("{} does not hold these figures; sil/studies/faults/run --search renews it",
-                        request.checked.string()));
-    }
+    require_in_page(request.checked, sections, "figures", "sil/studies/faults/run --search");
 }
 
 void run_search(const FaultSearchRequest& request) {

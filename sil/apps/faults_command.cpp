@@ -122,11 +122,7 @@ void run_hours(const EnduranceRequest& request) {
     if (!found.empty()) {
         throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
     }
-    if (!request.checked.empty() && read_whole_file(request.checked).find(rows) == std::string::npos) {
-        throw std::runtime_error(
-            fmt::format("{} does not hold these rows; sil/studies/faults/run --endurance renews it",
-                        request.checked.string()));
-    }
+    require_in_page(request.checked, rows, "rows", "sil/studies/faults/run --endurance");
 }
 
 void add_endurance(CLI::App& app) {
@@ -177,11 +173,7 @@ void run_intermittent(const IntermittentRequest& request) {
         write_file_atomically(request.document,
                               intermittent_document(all, sample + intermittent_row("all", all)));
     }
-    if (!request.checked.empty() && read_whole_file(request.checked).find(sample) == std::string::npos) {
-        throw std::runtime_error(
-            fmt::format("{} does not hold this row; sil/studies/faults/run --intermittent renews it",
-                        request.checked.string()));
-    }
+    require_in_page(request.checked, sample, "figures", "sil/studies/faults/run --intermittent");
 }
 
 void add_intermittent(CLI::App& app) {

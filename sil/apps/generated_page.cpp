@@ -59,4 +59,12 @@ void write_or_check(const GeneratedPage& page, const std::string& document, cons
     }
 }
 
+void require_in_page(const std::filesystem::path& page, const std::string& part, const std::string& what,
+                     const std::string& renewed_by) {
+    if (!page.empty() && read_whole_file(page).find(part) == std::string::npos) {
+        throw std::runtime_error(
+            fmt::format("{} does not hold these {}; {} renews it", page.string(), what, renewed_by));
+    }
+}
+
 }  // namespace sil

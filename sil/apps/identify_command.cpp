@@ -1,8 +1,6 @@
 #include "sil/apps/identify_command.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <filesystem>
 #include <memory>
@@ -22,8 +20,6 @@
 #include "sil/studies/identification/simulated_drive.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
-
-extern char** environ;
 
 namespace sil {
 namespace {
@@ -81,15 +77,6 @@ std::vector<Drive> read_all(const std::vector<std::string>& files) {
         drives.push_back(read_drive_csv(file));
     }
     return drives;
-}
-
-bool is_drawn(std::string script, const std::filesystem::path& output) {
-    std::string folder = std::filesystem::absolute(output).string();
-    char* arguments[] = {script.data(), folder.data(), nullptr};
-    pid_t child = 0;
-    int status = 1;
-    return posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ) == 0 &&
-           waitpid(child, &status, 0) == child && status == 0;
 }
 
 // Without pictures the calibration is as good.

@@ -1,8 +1,6 @@
 #include "sil/apps/replay_command.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <csignal>
 #include <cstdio>
@@ -25,8 +23,6 @@
 #include "sil/studies/drives/replay_summary.hpp"
 #include "sil/studies/drives/replay_table.hpp"
 #include "sil/studies/drives/whole_folder.hpp"
-
-extern char** environ;
 
 namespace sil {
 namespace {
@@ -61,13 +57,8 @@ DriveReplay replay_log(const std::vector<LoggedFrame>& log, const std::filesyste
 
 // gnuplot belongs to the project's packages, so its absence is an error like any other.
 void draw(const std::filesystem::path& folder) {
-    std::string script = drawing_script("sil/studies/drives/draw");
-    std::string argument = folder.string();
-    char* arguments[] = {script.data(), argument.data(), nullptr};
-    pid_t process = 0;
-    int status = 0;
-    if (::posix_spawn(&process, script.c_str(), nullptr, nullptr, arguments, environ) != 0 ||
-        ::waitpid(process, &status, 0) != process || status != 0) {
+    const std::string script = drawing_script("sil/studies/drives/draw");
+    if (!is_drawn(script, folder)) {
         throw std::runtime_error(
             fmt::format("{} failed (see above); with --no-pictures the replay does without it", script));
     }

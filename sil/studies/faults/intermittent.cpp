@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <thread>
 
 #include "sil/studies/faults/faulty_run.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
@@ -43,12 +41,31 @@ std::vector<Fault> faults_of(const SensorSignal& signal) {
     return all;
 }
 
+std::vector<Fault> all_bursts() {
+    std::vector<Fault> all;
+    for (const SensorSignal& signal : sensor_signals) {
+        const std::vector<Fault> faults = faults_of(signal);
+        all.insert(all.end(), faults.begin(), faults.end());
+    }
+    return all;
+}
+
 struct Planned {
     std::size_t world{0U};
     Fault fault{};
     int burst{0};
     int period{0};
 };
+
+void plan(std::size_t world, const Fault& fault, std::vector<Planned>& all) {
+    for (const int burst : bursts_ms) {
+        for (const int period : periods_ms) {
+            if (period != burst) {  // it would be there all the time
+                all.push_back({world, fault, burst, period});
+            }
+        }
+    }
+}
 
 struct World {
     const IntermittentVehicle* vehicle;
@@ -101,38 +118,19 @@ std::vector<IntermittentRun> run_intermittent_faults(const std::vector<Intermitt
                     .front();
             drive.fault_end = drive.samples.size();
             worlds.push_back({&vehicle, name, drive, RightRuns{drive, vehicle.calibration}});
-            for (const SensorSignal& signal : sensor_signals) {
-                for (const Fault& fault : faults_of(signal)) {
-                    for (const int burst : bursts_ms) {
-                        for (const int period : periods_ms) {
-                            if (period != burst) {
-                                all.push_back({worlds.size() - 1U, fault, burst, period});
-                            }
-                        }
-                    }
-                }
+            for (const Fault& fault : all_bursts()) {
+                plan(worlds.size() - 1U, fault, all);
             }
         }
     }
     const std::size_t count = most_runs == 0U ? all.size() : std::min(most_runs, all.size());
-    std::vector<IntermittentRun> runs(count);
-    std::atomic<std::size_t> next{0U};
-    const auto work = [&] {
-        for (std::size_t index = next++; index < count; index = next++) {
-            const Planned& planned = all[index * all.size() / count];
-            runs[index] = inject(worlds[planned.world], planned);
-            if (progress && index % 100U == 0U) {
-                progress(static_cast<double>(index) / static_cast<double>(count));
-            }
+    std::vector<IntermittentRun> runs;
+    for (std::size_t index = 0U; index < count; ++index) {
+        const Planned& planned = all[index * all.size() / count];
+        runs.push_back(inject(worlds[planned.world], planned));
+        if (index % 100U == 0U) {
+            progress(static_cast<double>(index) / static_cast<double>(count));
         }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned job = 1U; job < std::max(1U, std::thread::hardware_concurrency()); ++job) {
-        threads.emplace_back(work);
-    }
-    work();
-    for (std::thread& thread : threads) {
-        thread.join();
     }
     return runs;
 }

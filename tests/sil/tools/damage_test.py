@@ -4,14 +4,13 @@ The material of others is in tests/sil/foreign/material_test.py.
 """
 
 import os
-import pathlib
 import signal
 import sys
-import tempfile
 import unittest
 import unittest.mock
 
 import damaging
+import support
 
 import apart
 import asammdf
@@ -53,12 +52,7 @@ def written(kind, path):
     return path.read_bytes()
 
 
-class Damage(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-
+class Damage(support.WithFolder):
     def test_every_kind(self):
         for kind in ("blf", "blf without containers", "mf4", *TEXTS):
             with self.subTest(kind):
