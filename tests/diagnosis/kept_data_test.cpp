@@ -123,13 +123,11 @@ TEST(KeptData, NothingIsStoredWhereNothingHasChanged) {
 
 TEST(KeptData, ABusyPlaceIsAskedAgain) {
     Memories memories;
-    memories.one.refuse(true);
-    memories.other.refuse(true);
+    memories.refuse(true);
     Life life{memories};
     life.run(62);
     EXPECT_FALSE(life.data.is_stored());
-    memories.one.refuse(false);
-    memories.other.refuse(false);
+    memories.refuse(false);
     life.run(64);
     EXPECT_TRUE(life.data.is_stored());
     EXPECT_FALSE(life.data.is_failing());
@@ -138,8 +136,7 @@ TEST(KeptData, ABusyPlaceIsAskedAgain) {
 // At a pace of its own, and never in every cycle.
 TEST(KeptData, APlaceThatRefusesIsAskedEverMoreRarelyAndIsAFailure) {
     Memories memories;
-    memories.one.refuse(true);
-    memories.other.refuse(true);
+    memories.refuse(true);
     Life life{memories};
     life.run(511);
     EXPECT_EQ(memories.one.tries() + memories.other.tries(), 9);
@@ -148,8 +145,7 @@ TEST(KeptData, APlaceThatRefusesIsAskedEverMoreRarelyAndIsAFailure) {
     EXPECT_TRUE(life.data.is_failing());
     life.run(600000);
     EXPECT_LE(memories.one.tries() + memories.other.tries(), 10 + 104);
-    memories.one.refuse(false);
-    memories.other.refuse(false);
+    memories.refuse(false);
     life.run(6000);
     EXPECT_TRUE(life.data.is_stored());
     EXPECT_FALSE(life.data.is_failing());
@@ -166,8 +162,7 @@ TEST(KeptData, RecordsOfWhichNoneCanBeReadAreAFailure) {
     memories.other.set_unreadable(true);
     EXPECT_FALSE(Life{memories}.data.is_failing()) << "as after a loss of power";
     memories.one.record().pop_back();
-    memories.other.refuse(true);
-    memories.one.refuse(true);
+    memories.refuse(true);
     Life life{memories};
     life.run(1);
     EXPECT_TRUE(life.data.is_failing()) << "refused, they are as lost as they were";
@@ -175,8 +170,7 @@ TEST(KeptData, RecordsOfWhichNoneCanBeReadAreAFailure) {
     EXPECT_TRUE(life.data.is_failing());
     life.data.report_section_memory(false);
     EXPECT_TRUE(life.data.is_failing()) << "that of this one stays";
-    memories.other.refuse(false);
-    memories.one.refuse(false);
+    memories.refuse(false);
     life.run(1);
     EXPECT_TRUE(life.data.is_stored());
     EXPECT_FALSE(life.data.is_failing()) << "a record has been taken since";

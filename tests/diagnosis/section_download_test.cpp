@@ -67,6 +67,13 @@ class Download : public ::testing::Test {
         memories_.section_other.refuse(refuses);
     }
 
+    void begin_to_store_in_a_busy_memory() {
+        transfer(good_section());
+        refuse(true);
+        tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+        EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U));
+    }
+
     Memories memories_{};
     Tester tester_{memories_};
 };
@@ -219,10 +226,7 @@ TEST_F(Download, GoesOnAtRestOnly) {
 
 // While the memory is busy the vehicle starts.
 TEST_F(Download, IsNotStoredOnceTheVehicleMoves) {
-    transfer(good_section());
-    refuse(true);
-    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
-    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U));
+    begin_to_store_in_a_busy_memory();
     tester_.inputs.speed_mps = 20.0F;
     refuse(false);
     EXPECT_EQ(tester_.receive(5), no(0x31U, 0x22U));
@@ -315,10 +319,7 @@ TEST_F(Download, AMemoryThatHasRefusedForLongIsTriedByTheNextCheck) {
 
 // A check that has waited is over, whatever ends the wait.
 TEST_F(Download, ACheckThatHasWaitedEndsTheDownload) {
-    transfer(good_section());
-    refuse(true);
-    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
-    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U));
+    begin_to_store_in_a_busy_memory();
     tester_.inputs.speed_mps = 20.0F;
     EXPECT_EQ(tester_.receive(5), no(0x31U, 0x22U));
     tester_.inputs.speed_mps = 0.0F;

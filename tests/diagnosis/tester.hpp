@@ -47,6 +47,12 @@ struct Memories {
     rsi_test::CutStorage section_one{};
     rsi_test::CutStorage section_other{};
     rsi_test::CutStorage attempts{};
+
+    // The places of the trouble codes.
+    void refuse(bool refused) {
+        one.refuse(refused);
+        other.refuse(refused);
+    }
 };
 
 class Tester {

@@ -131,12 +131,10 @@ TEST_F(UdsOrder, APositiveAnswerMayBeSuppressedANegativeOneNot) {
 // A tester that was answered "later" gets the final answer.
 TEST_F(UdsOrder, AfterLaterThereIsAnAnswer) {
     tester_.unlock();
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
+    memories_.refuse(true);
     tester_.send({0x11U, 0x81U});
     EXPECT_EQ(tester_.receive(5), no(0x11U, 0x78U));
-    memories_.one.refuse(false);
-    memories_.other.refuse(false);
+    memories_.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x51U, 0x01U}));
     EXPECT_EQ(ask({0x3EU, 0x80U}), Bytes{}) << "the next request does not carry it";
 }

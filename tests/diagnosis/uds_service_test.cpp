@@ -18,10 +18,6 @@ class Uds : public ::testing::Test {
         tester_.~Tester();
         new (&tester_) Tester{memories_};
     }
-    void refuse(bool refuses) {
-        memories_.one.refuse(refuses);
-        memories_.other.refuse(refuses);
-    }
 
     Memories memories_{};
     Tester tester_{memories_};
@@ -97,8 +93,7 @@ TEST_F(Uds, ALongAnswerKeepsTheSessionWhileItGoes) {
 
 TEST_F(Uds, ARequestThatWaitsForTheMemoryKeepsTheSession) {
     tester_.unlock();
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
+    memories_.refuse(true);
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
     tester_.cycles(490);
     EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
@@ -257,17 +252,17 @@ TEST_F(Uds, AResetStoresWhatOnlyCountsFurther) {
 // Else a memory that is asked rarely would let a tester start the control unit without limit.
 TEST_F(Uds, AResetIsNotGivenBeforeItsCountIsStored) {
     ask({0x10U, 0x03U});
-    refuse(true);
+    memories_.refuse(true);
     EXPECT_EQ(ask({0x11U, 0x01U}), no(0x11U, 0x72U));
     EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
-    refuse(false);
+    memories_.refuse(false);
     EXPECT_EQ(ask({0x11U, 0x01U}), (Bytes{0x51U, 0x01U}));
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
 }
 
 // Asked once a minute by then, it takes again what a tester orders.
 TEST_F(Uds, AnOrderIsTriedAtOnceWhereTheMemoryHasRefusedForLong) {
-    refuse(true);
+    memories_.refuse(true);
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.cycles(30000);
     tester_.unlock();
@@ -278,15 +273,15 @@ TEST_F(Uds, AnOrderIsTriedAtOnceWhereTheMemoryHasRefusedForLong) {
     EXPECT_EQ(tester_.receive(460), no(0x14U, 0x78U));
     EXPECT_EQ(tester_.receive(460), no(0x14U, 0x72U));
     EXPECT_EQ(memories_.one.tries() + memories_.other.tries(), tries + 5) << "and once a second";
-    refuse(false);
+    memories_.refuse(false);
     EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'W')), (Bytes{0x6EU, 0xF1U, 0x90U}));
-    refuse(true);
+    memories_.refuse(true);
     tester_.heal(DiagnosticCode::imu_lost);
     tester_.cycles(100);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
     EXPECT_EQ(tester_.receive(10), no(0x14U, 0x78U));
     tester_.cycles(300);
-    refuse(false);
+    memories_.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
 }
 
@@ -420,14 +415,12 @@ TEST_F(Uds, AClearThatTakesTimeIsAnnounced) {
 
 TEST_F(Uds, AMemoryThatTakesNothingIsSaid) {
     tester_.unlock();
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
+    memories_.refuse(true);
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
     tester_.cycles(200);
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x20U}));
     EXPECT_TRUE(tester_.diagnosis().is_storage_failing());
-    memories_.one.refuse(false);
-    memories_.other.refuse(false);
+    memories_.refuse(false);
     tester_.cycles(1024);
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x00U}));
@@ -450,16 +443,14 @@ TEST_F(Uds, OrdersAreLimitedOfAStart) {
 // While it waits for the memory, neither another request nor a functional one gets between.
 TEST_F(Uds, WhileItWaitsNoOtherRequestIsServed) {
     tester_.unlock();
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
+    memories_.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
     tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
     EXPECT_EQ(tester_.ask_functional({0x10U, 0x01U}), no(0x14U, 0x78U));
     EXPECT_EQ(tester_.ask_functional({0x3EU, 0x80U}), Bytes{});
     tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
     tester_.cycles(3);
-    memories_.one.refuse(false);
-    memories_.other.refuse(false);
+    memories_.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
     tester_.cycles(3);
     EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
@@ -469,13 +460,11 @@ TEST_F(Uds, WhileItWaitsNoOtherRequestIsServed) {
 TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
     tester_.unlock();
     tester_.cycles(110);  // the last record is a second old: the next is taken as soon as the memory may
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
+    memories_.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
     tester_.set_bus_state(rsi::hal::BusState::bus_off);
     tester_.cycles(10);
-    memories_.one.refuse(false);
-    memories_.other.refuse(false);
+    memories_.refuse(false);
     tester_.cycles(10);
     tester_.set_bus_state(rsi::hal::BusState::error_active);
     EXPECT_EQ(tester_.receive(2), no(0x14U, 0x78U));
@@ -484,12 +473,10 @@ TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
 
 TEST_F(Uds, AFunctionalRequestMayClear) {
     tester_.unlock();
-    memories_.one.refuse(true);
-    memories_.other.refuse(true);
+    memories_.refuse(true);
     EXPECT_EQ(tester_.ask_functional({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x78U));
     tester_.ask_functional({0x3EU, 0x80U}, 2);
-    memories_.one.refuse(false);
-    memories_.other.refuse(false);
+    memories_.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
 
     // Functional requests are dropped again while an answer goes out.
