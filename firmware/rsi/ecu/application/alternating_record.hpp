@@ -30,6 +30,11 @@ enum class RecordState : std::uint8_t {
     good,
 };
 
+// A good record has been read.
+constexpr bool has_record(RecordState state) noexcept {
+    return (state == RecordState::good) || (state == RecordState::doubtful);
+}
+
 // `Payload` consists of bytes only: no padding, and the same layout on every target.
 template <typename Payload>
 class AlternatingRecord {

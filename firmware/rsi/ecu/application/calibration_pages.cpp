@@ -78,7 +78,7 @@ bool CalibrationPages::start_with_stored(ParameterSectionAnswer& answer) noexcep
     }
     const RecordState state = stored_->read(working_);
     ecu_.report_stored_section(refusal_of(state));
-    if ((state != RecordState::good) && (state != RecordState::doubtful)) {
+    if (!has_record(state)) {
         return false;
     }
     answer = ecu_.init(working_.data(), section::length);

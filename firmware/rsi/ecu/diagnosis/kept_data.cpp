@@ -5,9 +5,7 @@ namespace rsi::diagnosis {
 void KeptData::restore() noexcept {
     KeptPayload payload{};
     const application::RecordState state = record_.read(payload);
-    const bool is_there =
-        (state == application::RecordState::good) || (state == application::RecordState::doubtful);
-    const bool is_known = is_there && (payload.layout == KeptPayload::present_layout);
+    const bool is_known = application::has_record(state) && (payload.layout == KeptPayload::present_layout);
     is_own_failing_ = !is_known && (state != application::RecordState::never_written);
     is_failing_ = is_own_failing_;
     if (is_known) {

@@ -5,7 +5,7 @@ namespace rsi::diagnosis {
 bool SectionStore::restore() noexcept {
     const application::RecordState state = record_.read(bytes_);
     refusal_ = application::refusal_of(state);
-    if ((state != application::RecordState::good) && (state != application::RecordState::doubtful)) {
+    if (!application::has_record(state)) {
         return false;
     }
     const application::ParametersRefusal refusal = check();

@@ -1,6 +1,7 @@
 #include "rsi/ecu/diagnosis/uds_server.hpp"
 
 #include "rsi/ecu/diagnosis/trouble_report.hpp"
+#include "rsi/numeric/bounded.hpp"
 
 namespace rsi::diagnosis {
 namespace {
@@ -60,15 +61,11 @@ bool is_standing(const EcuState& ecu) {
     return ecu.inputs.speed_mps <= standing_mps;
 }
 
-bool is_beyond(float value, float limit) {
-    return (value > limit) || (value < -limit);
-}
-
 // Without a speed, rates that no parked vehicle has show motion. Without these too it counts as at rest, so
 // that the ECU can be serviced on a bench; what is done then needs the key, or has a limit.
 bool is_moving(const EcuState& ecu) {
-    const bool is_turning = is_beyond(ecu.inputs.yaw_rate_radps, turning_radps) ||
-                            is_beyond(ecu.inputs.roll_rate_radps, turning_radps);
+    const bool is_turning = (rsi::absolute(ecu.inputs.yaw_rate_radps) > turning_radps) ||
+                            (rsi::absolute(ecu.inputs.roll_rate_radps) > turning_radps);
     return (ecu.inputs.speed_mps > standing_mps) || (is_turning && !is_standing(ecu));
 }
 

@@ -19,8 +19,7 @@ constexpr float clear_force_mps2 = 2.0F;
 // A wheel that is thrown up shakes the body's roll as well, a noisy accelerometer does not.
 constexpr float heave_per_roll_shake_m = 22.0F;
 
-// The body follows a lateral force of 5 m/s^2 with 4 rad/s^2 and more: a true step ends the calm within 0.04
-// s.
+// The body follows a lateral force of 5 m/s^2 with 4 rad/s^2 and more: a true step ends the calm in 0.03 s.
 constexpr float calm_roll_rate_radps = 0.1F;
 
 // Nearer to the limit a tyre that slides, or grips again, makes such steps.
