@@ -103,9 +103,13 @@ def give_names(message, names):
 
 
 def account_of(path, odd):
-    shown = "; ".join(f"line {line}: {what}" for line, what in odd[:ODD_SHOWN])
-    more = f"; and {len(odd) - ODD_SHOWN} more" if len(odd) > ODD_SHOWN else ""
-    return f"sil/tools/logs: {path}: {len(odd)} odd {'lines' if len(odd) > 1 else 'line'}; {shown}{more}"
+    return (f"sil/tools/logs: {path}: {len(odd)} odd {'lines' if len(odd) > 1 else 'line'}; "
+            + first_of([f"line {line}: {what}" for line, what in odd]))
+
+
+def first_of(remarks):
+    more = f"; and {len(remarks) - ODD_SHOWN} more" if len(remarks) > ODD_SHOWN else ""
+    return "; ".join(remarks[:ODD_SHOWN]) + more
 
 
 class Database:
@@ -135,8 +139,7 @@ class Database:
                 first.setdefault(message.name, (message, path))
                 self.messages.append(message)
             if others:
-                more = f"; and {len(others) - ODD_SHOWN} more" if len(others) > ODD_SHOWN else ""
-                print(f"sil/tools/logs: {path}: has {'; '.join(others[:ODD_SHOWN])}{more}", file=sys.stderr)
+                print(f"sil/tools/logs: {path}: has {first_of(others)}", file=sys.stderr)
         self.signals = {}
         for message in self.messages:
             for signal in message.signals:
@@ -151,8 +154,24 @@ def layout(message):
 def key_of(message):
     """Key that links a frame to a message: its identifier; for J1939 only the number of the parameter group."""
     if message.protocol == "j1939":
-        return "pgn", parameter_group(message.frame_id)
+        return group_key(message.frame_id)
     return "id", message.frame_id | (EXTENDED if message.is_extended_frame else 0)
+
+
+def frame_key(frame):
+    return "id", frame.identifier | (EXTENDED if frame.extended else 0)
+
+
+def group_key(identifier):
+    return "pgn", parameter_group(identifier)
+
+
+def found_for(frame, by_key):
+    """The entry of a frame: that of its identifier, else that of its parameter group; None if there is neither."""
+    found = by_key.get(frame_key(frame))
+    if found is None and frame.extended:
+        found = by_key.get(group_key(frame.identifier))
+    return found
 
 
 def parameter_group(identifier):
@@ -228,7 +247,7 @@ def wanted_messages(database, mapping):
             wanted = wanted_of(key_of(message), message, entry.bus)
             wanted.collected.append(Collected(entry, signal, role))
             if message.is_extended_frame and message.protocol != "j1939":
-                wanted.stand_in = wanted_of(("pgn", parameter_group(message.frame_id)), message, entry.bus)
+                wanted.stand_in = wanted_of(group_key(message.frame_id), message, entry.bus)
                 wanted.stand_in.collected.append(Collected(entry, signal, role))
     for wanted in (wanted for same in messages.values() for wanted in same):
         together = narrowed(wanted.message, [collected.signal.name for collected in wanted.collected])
@@ -308,11 +327,7 @@ def said_of_group(message, sender):
 
 
 def take(frame, messages, path):
-    identifier = frame.identifier | (EXTENDED if frame.extended else 0)
-    found = messages.get(("id", identifier))
-    if found is None and frame.extended:
-        found = messages.get(("pgn", parameter_group(frame.identifier)))
-    for wanted in found or ():
+    for wanted in found_for(frame, messages) or ():
         if wanted.bus is not None and wanted.bus != (number_of(frame.bus) if isinstance(wanted.bus, int) else str(frame.bus)):
             wanted.elsewhere.add(str(frame.bus))
             continue

@@ -34,7 +34,7 @@ def make(log_or_run, dbc, output):
                    for kind, name in ((Mf4Writer, "signals.mf4"), (McapWriter, "run.mcap"))]
         for frame in progress.reported(log):
             clock.take(path, frame.time_s)
-            decoder = decoder_of(frame, messages)
+            decoder = dbc_signals.found_for(frame, messages)
             if decoder is None:
                 unknown[frame.identifier] = unknown.get(frame.identifier, 0) + 1
                 continue
@@ -76,15 +76,8 @@ def stand_ins(path, decoders, messages):
                 absent.pop(frame.identifier, None)
     by_group = {}
     for decoder in absent.values():
-        by_group.setdefault(("pgn", dbc_signals.parameter_group(decoder.message.frame_id)), decoder)
+        by_group.setdefault(dbc_signals.group_key(decoder.message.frame_id), decoder)
     return {key: decoder for key, decoder in by_group.items() if key not in messages}
-
-
-def decoder_of(frame, messages):
-    found = messages.get(("id", frame.identifier | (dbc_signals.EXTENDED if frame.extended else 0)))
-    if found is None and frame.extended:
-        found = messages.get(("pgn", dbc_signals.parameter_group(frame.identifier)))
-    return found
 
 
 def is_text(signal):

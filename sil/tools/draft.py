@@ -80,10 +80,9 @@ class DbcSource:
         self.buses = collections.defaultdict(set)
         if log:
             for frame in progress.reported(BusLog(log)):
-                identifier = frame.identifier | (dbc_signals.EXTENDED if frame.extended else 0)
-                self.buses["id", identifier].add(frame.bus)
+                self.buses[dbc_signals.frame_key(frame)].add(frame.bus)
                 if frame.extended:
-                    self.buses["pgn", dbc_signals.parameter_group(frame.identifier)].add(frame.bus)
+                    self.buses[dbc_signals.group_key(frame.identifier)].add(frame.bus)
             self.in_log = [signal for signal in self.signals if self.is_there(signal)]
             if not self.in_log:
                 raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
@@ -95,7 +94,7 @@ class DbcSource:
         message, _ = self.database.signals[signal.key]
         buses = self.buses.get(dbc_signals.key_of(message), ())
         if not buses and message.is_extended_frame:
-            buses = self.buses.get(("pgn", dbc_signals.parameter_group(message.frame_id)), ())
+            buses = self.buses.get(dbc_signals.group_key(message.frame_id), ())
         return sorted(buses, key=str)
 
     def is_contested(self, signal):
