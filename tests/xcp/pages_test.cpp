@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rsi/ecu/application/little_endian.hpp"
 #include "rsi/parameters.hpp"
 #include "tests/xcp/bench.hpp"
 
@@ -443,8 +444,7 @@ TEST(CalibrationInUse, HasTheNameOfItsSectionAndTheChecksumOfItsValues) {
     const auto checksum_of_xcp = [&] {
         EXPECT_TRUE(bench.set_address(map::parameters_at));
         const Bytes answer = bench.command(Bench::with_word({0xF3, 0, 0, 0}, map::parameters_length));
-        return answer.at(4U) | answer.at(5U) << 8U | answer.at(6U) << 16U |
-               static_cast<std::uint32_t>(answer.at(7U)) << 24U;
+        return rsi::application::u32_at(answer.data(), 4U);
     };
     const auto in_use = [&]() -> const rsi::application::CalibrationIdentity& {
         return bench.ecu().ecu().calibration();

@@ -13,7 +13,7 @@ namespace sil {
 namespace {
 
 constexpr const char* header = "scenario,fault,of,visible,due,told,missed_warning,false_warning";
-constexpr std::size_t columns = 8U;
+constexpr std::size_t columns_of_search = 8U;
 
 bool has(const SearchOutcome& outcome, FindingKind kind) {
     return std::find(outcome.findings.begin(), outcome.findings.end(), kind) != outcome.findings.end();
@@ -72,7 +72,7 @@ std::vector<SearchOutcome> load_search(const std::filesystem::path& output) {
     std::vector<SearchOutcome> all;
     while (lines.next(line)) {
         split_fields(line.text, cells);
-        if (cells.size() == columns) {
+        if (cells.size() == columns_of_search) {
             all.push_back(outcome_of(cells));
         }
     }

@@ -49,6 +49,8 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, const SignalSu
         keep(value);
     } else if (known_) {
         rsi::count_up(doubted_samples_);
+    } else {
+        // No value yet that later ones could be compared with.
     }
     return known_ ? good_ : rsi::not_available;
 }
