@@ -24,10 +24,8 @@ LONGEST_MISSED_S = 60.0  # until a missing sensor is a code: 1 s of the ECU's cy
 
 
 class Tester:
-    def __init__(self):
-        self.socket = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
-        self.socket.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, struct.pack("=II", ANSWER, 0x7FF))
-        self.socket.bind((programs.INTERFACE,))
+    def __init__(self, opened=programs.can_socket):
+        self.socket = opened(f"{ANSWER:X}")
 
     def send_frame(self, data, identifier=PHYSICAL):
         self.socket.send(programs.FRAME.pack(identifier, 8, bytes(data).ljust(8, b"\xCC")))

@@ -1,4 +1,4 @@
-"""XCP and diagnosis in the Cortex-R5F's image under QEMU, with the clients of a few lines of xcp_test and diagnosis_test."""
+"""XCP and diagnosis in the Cortex-R5F's image under QEMU, with a bus of its own and the clients of a few lines of xcp_test and diagnosis_test."""
 
 import contextlib
 import time
@@ -9,6 +9,7 @@ import processor
 import programs
 import xcp_test
 
+IMAGE = processor.CORTEX_R5F / "sil/images/rsi-ecu-r5f-bench.elf"
 LONGEST_CHANGE_S = 60.0  # a few cycles of an emulator that is held up
 LONGEST_RESET_S = 60.0
 LATEST_ANSWER_S = 2.0  # twice the time between two questions
@@ -20,15 +21,15 @@ class Access(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.enterClassContext(processor.Processor("--bench"))
+        cls.board = cls.enterClassContext(processor.Board(IMAGE))
 
     def master(self):
-        master = xcp_test.Master()
+        master = xcp_test.Master(self.board.can_socket)
         self.addCleanup(master.socket.close)
         return master
 
     def workshop(self):
-        tester = diagnosis_test.Tester()
+        tester = diagnosis_test.Tester(self.board.can_socket)
         self.addCleanup(tester.socket.close)
         return tester
 
@@ -40,7 +41,7 @@ class Access(unittest.TestCase):
         self.assertEqual(change[:2], (0, 0), "another change is on its way, or this was refused")
 
     def test_the_keys_are_public_and_reported_on_the_bus(self):
-        self.assertEqual(programs.protection(), "unsealed test keys")
+        self.assertEqual(programs.protection(self.board.can_socket), "unsealed test keys")
 
     def test_a_parameter_is_changed_taken_over_stored_and_there_after_a_reset(self):
         master = self.master()
@@ -89,6 +90,7 @@ class Access(unittest.TestCase):
     def test_a_tester_reads_codes_and_clears_them_with_the_key_only(self):
         tester = self.workshop()
         tester.codes_with(diagnosis_test.IMU_LOST, diagnosis_test.FAILS_NOW | diagnosis_test.CONFIRMED)
+        self.assertEqual(tester.ask(*EXTENDED_SESSION)[:2], b"\x50\x03")
         self.assertEqual(tester.ask(*diagnosis_test.CLEAR), diagnosis_test.refused(0x14, 0x33))
         self.assertEqual(tester.unlock(), b"\x67\x02")
         diagnosis_test.check_cleared(self, tester)

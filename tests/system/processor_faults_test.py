@@ -1,4 +1,4 @@
-"""The Cortex-R5F's image under QEMU on a CAN interface: what it does when an exception or the watchdog ends its run."""
+"""The Cortex-R5F's image under QEMU, with a bus of its own: what it does when an exception or the watchdog ends its run."""
 
 import itertools
 import time
@@ -11,7 +11,7 @@ UNAVAILABLE, READY = 0, 1
 PROVOCATION_IDENTIFIER = "7F0"
 OBSERVER_IDENTIFIER = "234"
 WARNING_DATA_IDENTIFIER = 0x61E
-IMAGE = programs.PROJECT / "build/cortex-r5f/tests/targets/images/zynqmp_r5_faults/rsi-ecu-r5f-faults.elf"
+IMAGE = processor.CORTEX_R5F / "tests/targets/images/zynqmp_r5_faults/rsi-ecu-r5f-faults.elf"
 SENSOR_LOG = programs.PROJECT / "tests/application/regression/logs/straight-noise.sensors.log"
 # Cycles of the log after which the counters of its end-to-end protection go on at its beginning without a jump.
 SENSOR_CYCLES = 300
@@ -51,8 +51,10 @@ class Faults(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.enterClassContext(processor.Processor("--image", IMAGE))
-        cls.bus = processor.Bus(only=(programs.WARNING_IDENTIFIER, OBSERVER_IDENTIFIER, programs.STATUS_IDENTIFIER))
+        board = cls.enterClassContext(processor.Board(IMAGE))
+        cls.bus = processor.Bus(
+            board.can_socket(programs.WARNING_IDENTIFIER, OBSERVER_IDENTIFIER, programs.STATUS_IDENTIFIER)
+        )
         cls.addClassCleanup(cls.bus.close)
 
     def frames(self):

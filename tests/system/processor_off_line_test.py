@@ -3,9 +3,7 @@
 Needs no CAN interface: what the emulated controller sends is taken from QEMU's trace."""
 
 import contextlib
-import os
 import pathlib
-import re
 import struct
 import subprocess
 import tempfile
@@ -13,12 +11,10 @@ import time
 import unittest
 import zlib
 
+import processor
 import programs
 
-BUILT = programs.PROJECT / "build/cortex-r5f/firmware/images/zynqmp_r5"
-IMAGE = BUILT / "rsi-ecu-r5f-emulator.elf"
-SUPERVISOR = BUILT / "release-r5.elf"
-TRACED = re.compile(r"ID: 0x0*([0-9a-f]+) DLC: 0x\w+ DATA:((?: 0x\w\w)+)")
+IMAGE = processor.CORTEX_R5F / "firmware/images/zynqmp_r5/rsi-ecu-r5f-emulator.elf"
 
 
 def sealed(section):
@@ -52,20 +48,13 @@ class Image(unittest.TestCase):
             check=True,
         )
         trace = self.folder / "trace"
-        trace.write_text("", encoding="ascii")
-        command = ["qemu-system-aarch64", "-M", "xlnx-zcu102", "-smp", "6", "-m", "128", "-nodefaults", "-display", "none",
-                   "-serial", "none", "-monitor", "none", "-object", "can-bus,id=bus", "-machine", "canbus0=bus",
-                   "-device", f"loader,file={image}", "-device", f"loader,file={SUPERVISOR},cpu-num=0",
-                   "-trace", "xlnx_can_tx_data", "-D", str(trace)]
         with open(self.folder / "messages", "w", encoding="ascii") as messages:
-            emulator = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages,
-                                        env=dict(os.environ, QEMU_AUDIO_DRV="none"))
+            emulator = processor.start_emulator(image, messages, *processor.traced_to(trace))
 
         def sent():
             if emulator.poll() is not None:
                 self.fail("the emulator ended: " + (self.folder / "messages").read_text(encoding="ascii"))
-            frames = TRACED.findall(trace.read_text(encoding="ascii"))
-            return [(name.upper().zfill(3), data.replace(" 0x", "").upper()) for name, data in frames]
+            return processor.frames_of(trace.read_text(encoding="ascii"))
 
         try:
             yield sent

@@ -109,15 +109,23 @@ def test_key(slot, seed):
     return bytes.fromhex(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
 
 
+def can_socket(*only):
+    """A raw socket on the interface that hears every identifier, or `only` some (as candump writes them)."""
+    opened = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
+    if only:
+        filters = b"".join(struct.pack("=II", int(identifier, 16), 0x7FF) for identifier in only)
+        opened.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, filters)
+    opened.settimeout(LONGEST_S)
+    opened.bind((INTERFACE,))
+    return opened
+
+
 PROTECTION = ("unsealed", "unsealed test keys", "sealed test keys", "sealed")
 
 
-def protection():
-    """RollObserver.Protection of the next such frame on the interface, as the DBC file names it."""
-    with socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW) as bus:
-        bus.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, struct.pack("=II", int(OBSERVER_IDENTIFIER, 16), 0x7FF))
-        bus.bind((INTERFACE,))
-        bus.settimeout(LONGEST_S)
+def protection(opened=can_socket):
+    """RollObserver.Protection of the next such frame, as the DBC file names it."""
+    with opened(OBSERVER_IDENTIFIER) as bus:
         data = FRAME.unpack(bus.recv(FRAME.size))[2]
     return PROTECTION[data[7] >> 3 & 0x3]
 

@@ -2,7 +2,6 @@
 
 import pathlib
 import re
-import socket
 import struct
 import tempfile
 import time
@@ -24,10 +23,8 @@ LOWER = 0.85
 
 
 class Master:
-    def __init__(self):
-        self.socket = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
-        self.socket.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, struct.pack("=II", ANSWER, 0x7FF))
-        self.socket.bind((programs.INTERFACE,))
+    def __init__(self, opened=programs.can_socket):
+        self.socket = opened(f"{ANSWER:X}")
         self.samples, self.events = [], []
 
     def receive(self, until):
