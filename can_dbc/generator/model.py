@@ -53,6 +53,8 @@ class Signal:
     start_value: int
     default: str
     not_available: int | None
+    factor_text: str
+    offset_text: str
     source: str = ""  # the member of the sender's structure that the signal carries
     source_factor: str = ""
     raw_type: str = ""
@@ -247,7 +249,7 @@ def _signal(message, signal):
         start_bit=signal.start, length=signal.length, is_signed=signal.is_signed,
         minimum_text=_decimal(signal.minimum), maximum_text=_decimal(signal.maximum),
         raw_at_minimum=0, raw_at_maximum=0, start_value=_start_value(where, signal), default="",
-        not_available=not_available)
+        not_available=not_available, factor_text=_decimal(signal.scale), offset_text=_decimal(signal.offset))
     _add_range(where, signal, result, factor, offset)
     _add_type(where, result, factor, offset, choices)
     _add_source(where, signal, result)

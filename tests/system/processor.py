@@ -144,7 +144,7 @@ class Board:
                 raise
         finally:
             for peer, _ in self.peers:
-                peer.close()  # whoever waits for a frame gets an empty one
+                peer.close()  # a reader that waits gets an empty frame
 
     def _move_frames_of(self, trace):
         line = ""
