@@ -129,7 +129,7 @@ class TableSource:
                         for column in table_signals.columns_of(log)]
         self.in_log = self.signals
         times = [signal for signal in self.signals
-                 if re.match(r"(t|\w*time\w*|\w*zeit\w*|interval)( |$)", signal_names.words(signal.name))]
+                 if re.match(r"(t|(date (and )?|datum (und )?)?\w*(time|zeit)\w*|timestamp|interval)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
@@ -137,8 +137,16 @@ class TableSource:
         if not self.is_csv:
             return []
         key = f"signal = {quoted(self.time.key)}" if self.time else 'signal = "?"  # the column of the time'
-        unit = self.time.unit if self.time and factor_of(self.time.unit, "time") else None
-        return [f"[time]\n{key}\nunit = {quoted(unit) if unit else quoted('?') + '  # of the time: ' + admitted('time')}\n"]
+        unit = self.time_unit() if self.time else None
+        if unit is None:
+            return [f"[time]\n{key}\nunit = \"?\"  # of the time: {admitted('time')}\n"]
+        return [f"[time]\n{key}\nunit = {quoted(unit[0])}{'  # ' * bool(unit[1])}{unit[1]}\n"]
+
+    def time_unit(self):
+        """Unit of the time and a remark on it; None where it is not known."""
+        if factor_of(self.time.unit, "time"):
+            return self.time.unit, ""
+        return table_signals.time_unit(self.log, self.time.key)
 
     def buses_of(self, _):
         return []
@@ -159,7 +167,8 @@ class TableSource:
         if self.is_csv and not self.time:
             return None
         mapping = AsDrafted(entries)
-        mapping.time = (self.time.key, factor_of(self.time.unit, "time") or 1.0) if self.is_csv else None
+        unit = self.time_unit()
+        mapping.time = (self.time.key, factor_of(unit[0], "time") if unit else 1.0) if self.is_csv else None
         return table_signals.read([self.log], mapping)[0]
 
 

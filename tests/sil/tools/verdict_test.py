@@ -49,19 +49,11 @@ class Folder(drive_support.WithDrives):
     def verdict(self, *options):
         return self.logs(*self.arguments(*options))
 
-    def unanswered(self, *options):
-        said = io.StringIO()
-        with self.assertRaises(SystemExit) as raised, unittest.mock.patch("sys.stderr", said), \
-                unittest.mock.patch("sys.stdout", io.StringIO()), unittest.mock.patch("sys.stdin", io.StringIO("y\n")):
-            verdict_main(self.arguments(*options))
-        self.assertEqual(raised.exception.code, 3)
-        return said.getvalue()
-
     def test_from_logs_to_a_verdict_with_one_answer(self):
         self.record(*self.frames)
         (self.drives / "broken.blf").write_bytes(b"LOGG" + bytes(200))
         (self.drives / "notes.txt").write_text("dry road", encoding="utf-8")
-        asked = self.unanswered()
+        asked = self.unanswered(*self.arguments())
         mapping = self.output / "mapping.toml"
         turn = re.search(r"was the turn at (\S+) s of (\S+) to the left or to the right\? Run it again with --answer left or ", asked)
         self.assertIn('sign = "?"', mapping.read_text(encoding="utf-8"))
@@ -69,7 +61,7 @@ class Folder(drive_support.WithDrives):
         row = next(row for row in foreign_recorder.rows(self.run_folder.parent / manoeuvre) if row["time_s"] >= float(turn[1]))
         # The unit of the roll angle is no question of sides: its place is named.
         side = "left" if row["yaw_rate_degps"] > 0.0 else "right"
-        said = self.unanswered("--answer", side)
+        said = self.unanswered(*self.arguments("--answer", side))
         text = mapping.read_text(encoding="utf-8")
         line = 1 + text.splitlines().index(next(line for line in text.splitlines() if line.startswith('unit = "?"')))
         self.assertIn(f"  {mapping}:{line}: unit = \"?\"", said)
@@ -138,10 +130,6 @@ class Folder(drive_support.WithDrives):
         self.refused(f"{self.output / 'replays'}: exists, and is not of an earlier verdict; ", *self.arguments())
         self.refused(f"{self.folder / 'none'}: is no folder", "verdict", self.folder / "none")
         self.assertEqual(support.subprocess.run([support.PROJECT / "sil/run", "--logs"], capture_output=True, check=False).returncode, 2)
-
-
-def verdict_main(arguments):
-    support.command.main([str(argument) for argument in arguments])
 
 
 class Answers(support.WithFolder):
