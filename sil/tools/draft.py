@@ -3,6 +3,7 @@
 import collections
 import json
 import re
+import struct
 
 import numpy
 
@@ -14,7 +15,7 @@ import signal_names
 import table_signals
 import file_io
 from bus_log_writers import number_of
-from bus_logs import BusLog
+from bus_logs import BusLog, Frame
 from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS, admitted, factor_of
 from log_error import LogError
 from mapping import Entry
@@ -36,7 +37,7 @@ def make(dbc, log, output):
         raise LogError("draft needs a DBC file (--dbc FILE), or a log that is decoded already (--log FILE): a CSV or an MF4")
     if output.exists():
         raise LogError(f"{output}: exists already, perhaps with answers in it; delete it, or choose another file with --output")
-    source = DbcSource(dbc_signals.Database(dbc), log) if dbc else TableSource(log)
+    source = DbcSource(dbc_signals.database(dbc), log) if dbc else TableSource(log)
     choices = {}
     for quantity in QUANTITIES:
         found, is_clear = signal_names.candidates(quantity, source.in_log)
@@ -78,14 +79,30 @@ class DbcSource:
                         if not dbc_signals.is_enumeration(signal) and signal.length > 1]
         self.in_log = self.signals
         self.buses = collections.defaultdict(set)
+        self.kept = KeptFrames()
         if log:
+            keys = self.keys_of_candidates()
             for frame in progress.reported(BusLog(log)):
-                self.buses[dbc_signals.frame_key(frame)].add(frame.bus)
-                if frame.extended:
-                    self.buses[dbc_signals.group_key(frame.identifier)].add(frame.bus)
+                key = dbc_signals.frame_key(frame)
+                group = dbc_signals.group_key(frame.identifier) if frame.extended else key
+                self.buses[key].add(frame.bus)
+                self.buses[group].add(frame.bus)
+                if key in keys or group in keys:
+                    self.kept.add(frame)
             self.in_log = [signal for signal in self.signals if self.is_there(signal)]
             if not self.in_log:
                 raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
+
+    def keys_of_candidates(self):
+        """Of the messages with a signal that may be a quantity."""
+        keys = set()
+        for signal in self.signals:
+            if any(signal_names.likeness(quantity, signal)[0] for quantity in QUANTITIES):
+                message, _ = self.database.signals[signal.key]
+                keys.add(dbc_signals.key_of(message))
+                if message.is_extended_frame:
+                    keys.add(dbc_signals.group_key(message.frame_id))
+        return keys
 
     def head(self):
         return []
@@ -117,7 +134,30 @@ class DbcSource:
         return f"{message.name}.{flag}" if flag else None
 
     def read(self, entries):
-        return dbc_signals.read([self.log], self.database, AsDrafted(entries))[0]
+        return dbc_signals.read_frames({self.log: self.kept.frames()}, self.database, AsDrafted(entries))[0]
+
+
+class KeptFrames:
+    """Frames in memory, in few more bytes than their own: so that a log is read once."""
+
+    HEAD = struct.Struct("<dIHB?")  # time, identifier, number of the bus, bytes of data, extended
+
+    def __init__(self):
+        self.bytes = bytearray()
+        self.buses = []
+
+    def add(self, frame):
+        if frame.bus not in self.buses:
+            self.buses.append(frame.bus)
+        self.bytes += self.HEAD.pack(frame.time_s, frame.identifier, self.buses.index(frame.bus), len(frame.data), frame.extended)
+        self.bytes += frame.data
+
+    def frames(self):
+        place = 0
+        while place < len(self.bytes):
+            time_s, identifier, bus, length, extended = self.HEAD.unpack_from(self.bytes, place)
+            place += self.HEAD.size + length
+            yield Frame(time_s, self.buses[bus], identifier, extended, bytes(self.bytes[place - length:place]), length > 8, False, False)
 
 
 class TableSource:

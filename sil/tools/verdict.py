@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 import bus_logs
+import dbc_signals
 import drive
 import drive_facts
 import file_io
@@ -42,6 +43,10 @@ def make(options):
         raise LogError(f"{options.folder}: cannot be read: {error.strerror}") from error
     output = options.output or PROJECT / "output" / f"logs-{options.folder.resolve().name}"
     begin(output)
+    odd = Kept(sys.stderr)
+    with contextlib.redirect_stderr(odd):
+        if options.dbc:
+            dbc_signals.database(options.dbc)
     own = options.folder / "mapping.toml"
     signals = own if own.exists() else output / "mapping.toml"
     if not signals.exists():
@@ -58,6 +63,7 @@ def make(options):
     called(options.program, "replay", *[one.file for one in made], "--parameters", parameters, "--no-pictures", "--output",
            output / "replays")
     text = verdict_text.markdown(made, left_out, found, doubts_of(parameters), output)
+    text += verdict_text.section("DBC files", [line.removeprefix("sil/tools/logs: ") for line in odd.getvalue().splitlines()])
     if is_shipped:
         text += ("\nThe calibration is that of the shipped large_suv and not your vehicle's: the warnings show that the signals are "
                  "right, not when yours is warned. Give --vehicle-data FILE, or --parameters FILE.\n")

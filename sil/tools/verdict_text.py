@@ -34,15 +34,16 @@ def markdown(made, left_out, found, doubts, output):
             lines.append(f"- unavailable for {float(row['unavailable_duration_s']):.2f} s")
         moment = f"#{float(warnings[0][2])}" if warnings else ""
         lines.append(f"- [report](replays/{urllib.parse.quote(one.file.stem)}/report.html{moment})")
-    if left_out:
-        lines += ["", "## No drive", "", *[f"- {line}" for line in left_out]]
+    text = "\n".join(lines) + "\n" + section("No drive", left_out)
     if found:
         found = re.sub(r"^drive +warning s.*?^Results in .*?\n", "", found, flags=re.DOTALL | re.MULTILINE)  # it is above
         found = re.sub(r"^  identify doubts: .*\n", "", found, flags=re.MULTILINE)  # it is below
-        lines += ["", "## What validate found", "", *[f"- {line.strip()}" for line in found.splitlines() if line.strip()]]
-    if doubts:
-        lines += ["", "## What identify doubts about the calibration", "", *[f"- {doubt}" for doubt in doubts]]
-    return "\n".join(lines) + "\n"
+        text += section("What validate found", [line.strip() for line in found.splitlines() if line.strip()])
+    return text + section("What identify doubts about the calibration", doubts)
+
+
+def section(title, lines):
+    return "\n".join(["", f"## {title}", "", *[f"- {line}" for line in lines], ""]) if lines else ""
 
 
 def page(text):

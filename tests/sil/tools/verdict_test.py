@@ -11,6 +11,7 @@ import numpy
 import drive_support
 import support
 
+import bus_log_writers
 import drive_facts
 import foreign_recorder
 import mapping_answers
@@ -94,6 +95,27 @@ class Folder(drive_support.WithDrives):
         for link in links:
             self.assertTrue((self.output / link).is_file(), link)
 
+    def test_what_is_odd_is_said_once(self):
+        """The DBC file's lines, and what of a log was left out, by a draft and by a verdict on two logs."""
+        odd = self.folder / "odd.dbc"
+        odd.write_bytes(foreign_recorder.DBC.read_bytes() + b'CM_ SG_ 1027 Gone "nothing";\n')
+        self.record("turn.mf4", "slalom.asc")
+        damaged = self.folder / "damaged.candump"
+        bus_log_writers.write_candump(damaged, iter(self.frames["turn.mf4"]))
+        damaged.write_bytes(damaged.read_bytes() + b"(99.000000) can0 XYZ#00\n")
+        said = self.logs("draft", "--dbc", odd, "--log", damaged, "--output", self.folder / "drafted.toml")
+        self.assertEqual((said.count("1 odd line;"), said.count("damaged.candump: left out: 1 damaged part")), (1, 1), said)
+        damaged.rename(self.drives / damaged.name)
+        (self.drives / "mapping.toml").write_text(foreign_recorder.MAPPING, encoding="utf-8")
+        arguments = self.arguments("--parameters", "large_suv")
+        arguments[arguments.index(foreign_recorder.DBC)] = odd
+        odd.write_bytes(odd.read_bytes() + b'CM_ SG_ 1027 Too "nothing";\n')
+        said = self.logs(*arguments)
+        written = (self.output / "verdict.md").read_text(encoding="utf-8")
+        self.assertEqual(written.count("2 odd lines;"), 1)
+        self.assertEqual(said.replace(written, "").count("2 odd lines;"), 1)
+        self.assertEqual(written.count("1 damaged part"), 1)
+
     def test_a_mapping_beside_the_logs_is_taken(self):
         self.record("turn.mf4")
         (self.drives / "mapping.toml").write_text(foreign_recorder.MAPPING, encoding="utf-8")
@@ -159,6 +181,14 @@ class Answers(support.WithFolder):
             self.assertRaisesRegex(mapping_answers.LogError, "has the answer right already", mapping_answers.answer, signals, "left")
         self.assertEqual(found["left"], {"lateral_acceleration": -1, "roll_rate": 1, "roll_angle": 1, "yaw_rate": 1, "speed": 1})
         self.assertEqual(found["right"], {"lateral_acceleration": 1, "roll_rate": -1, "roll_angle": -1, "yaw_rate": -1, "speed": 1})
+
+    def test_no_more_logs_are_drafted_than_are_needed(self):
+        logs = [self.table(f"log {number}", 1.0) for number in range(5)]
+        straight = self.folder / "straight.csv"
+        straight.write_text("\n".join(logs[0].read_text(encoding="utf-8").splitlines()[:150]) + "\n", encoding="utf-8")
+        with unittest.mock.patch("sys.stdout", io.StringIO()) as shown:
+            mapping_answers.write_draft(None, [straight, *logs], self.folder / "mapping.toml")
+        self.assertEqual(re.findall(r"looking at .*/(.*)\.csv", shown.getvalue()), ["straight", "log 0", "log 1", "log 2"])
 
     def test_a_person_is_asked_until_the_answer_is_one(self):
         for typed, expected in (("perhaps\nY\n", "left"), ("no\n", "right"), ("", None)):
