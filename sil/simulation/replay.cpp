@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hal/memory/frame_replay.hpp"
 #include "rsi/ecu/application/sensor_reception.hpp"
 #include "sil/files/sensor_frame.hpp"
@@ -11,6 +13,8 @@
 namespace sil {
 namespace {
 
+// Recorders of several buses write that much out of order; as sil/tools/recorded.py has it.
+constexpr rsi::hal::Time longest_step_back = rsi::hal::Time::from_milliseconds(200);
 // A longer gap means two recordings on different clocks; stepping through it could take arbitrarily long.
 constexpr rsi::hal::Time longest_gap = rsi::hal::Time::from_milliseconds(3'600'000);
 // More do not fit into the memory of every machine.
@@ -34,25 +38,29 @@ double seconds(rsi::hal::Time time) {
 
 std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log) {
     std::vector<rsi::hal::CanFrame> frames;
+    rsi::hal::Time latest{};
     for (const LoggedFrame& logged : log) {
         if (!is_sensor_frame(logged.frame)) {
             continue;
         }
         const rsi::hal::Time time = logged.frame.receive_time;
-        if (!frames.empty() && time < frames.back().receive_time) {
+        latest = frames.empty() ? time : latest;
+        if (longest_step_back < latest - time) {
             throw ReplayError{
                 logged.line,
-                fmt::format("the time goes back from {:.6f} s to {:.6f} s; a replay needs one recording, in "
-                            "the order of time",
-                            seconds(frames.back().receive_time), seconds(time))};
+                fmt::format("the time goes back from {:.6f} s to {:.6f} s, further than recorders of several "
+                            "buses write it: two recordings, or a clock that was set; cut the log before "
+                            "this line, or sort it by time",
+                            seconds(latest), seconds(time))};
         }
-        if (!frames.empty() && longest_gap < time - frames.back().receive_time) {
+        if (longest_gap < time - latest) {
             throw ReplayError{
                 logged.line,
                 fmt::format(
                     "a gap of {:.0f} s between two sensor frames; cut the recording in two before this line",
-                    seconds(time - frames.back().receive_time))};
+                    seconds(time - latest))};
         }
+        latest = latest < time ? time : latest;
         if (!frames.empty() && longest_log < time - frames.front().receive_time) {
             throw ReplayError{logged.line,
                               fmt::format("the log is longer than {:.0f} h; cut it in two before this line",
@@ -63,6 +71,10 @@ std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>
     if (frames.empty()) {
         refuse_without_sensor_frames();
     }
+    std::stable_sort(frames.begin(), frames.end(),
+                     [](const rsi::hal::CanFrame& one, const rsi::hal::CanFrame& other) {
+                         return one.receive_time < other.receive_time;
+                     });
     return frames;
 }
 

@@ -11,13 +11,15 @@ namespace {
 
 constexpr std::size_t mean_over = 10U;  // cycles
 
-// Mean lateral over mean vertical acceleration, from cycle `first` on; a vertical one that is missing counts as g.
+// Mean lateral over mean vertical acceleration, from cycle `first` on; a vertical one that is missing counts
+// as g.
 double mean_ratio(const std::vector<ReplayCycle>& cycles, std::size_t first) {
     double lateral = 0.0, vertical = 0.0;
     for (std::size_t place = first; place < first + mean_over; ++place) {
         const DriveSample& sample = cycles[place].sample;
         lateral += sample.lateral_acceleration_mps2;
-        vertical += std::isnan(sample.vertical_acceleration_mps2) ? g_mps2 : sample.vertical_acceleration_mps2;
+        vertical +=
+            std::isnan(sample.vertical_acceleration_mps2) ? g_mps2 : sample.vertical_acceleration_mps2;
     }
     return lateral / std::max(vertical, 0.0);
 }

@@ -1,5 +1,5 @@
-// Felt load transfer: how much load the forces on a vehicle can have moved to one side, where no wheel loads are
-// measured.
+// Felt load transfer: how much load the forces on a vehicle can have moved to one side, where no wheel loads
+// are measured.
 #pragma once
 
 #include <vector>
