@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "hal/memory/frame_replay.hpp"
 #include "rsi/ecu/application/sensor_reception.hpp"
@@ -32,6 +34,26 @@ double seconds(rsi::hal::Time time) {
     throw ReplayError{0U, fmt::format("there is no sensor frame in this log; the firmware receives the "
                                       "standard identifiers {}",
                                       expected)};
+}
+
+// Those of one time keep their order.
+void sort_by_time(std::vector<rsi::hal::CanFrame>& frames) {
+    std::vector<std::size_t> order(frames.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto is_earlier = [&frames](std::size_t one, std::size_t other) {
+        return frames[one].receive_time < frames[other].receive_time ||
+               (frames[one].receive_time == frames[other].receive_time && one < other);
+    };
+    if (std::is_sorted(order.begin(), order.end(), is_earlier)) {
+        return;
+    }
+    std::sort(order.begin(), order.end(), is_earlier);
+    std::vector<rsi::hal::CanFrame> sorted;
+    sorted.reserve(frames.size());
+    for (const std::size_t place : order) {
+        sorted.push_back(frames[place]);
+    }
+    frames = std::move(sorted);
 }
 
 }  // namespace
@@ -71,10 +93,7 @@ std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>
     if (frames.empty()) {
         refuse_without_sensor_frames();
     }
-    std::stable_sort(frames.begin(), frames.end(),
-                     [](const rsi::hal::CanFrame& one, const rsi::hal::CanFrame& other) {
-                         return one.receive_time < other.receive_time;
-                     });
+    sort_by_time(frames);
     return frames;
 }
 

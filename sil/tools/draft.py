@@ -140,24 +140,23 @@ class DbcSource:
 class KeptFrames:
     """Frames in memory, in few more bytes than their own: so that a log is read once."""
 
-    HEAD = struct.Struct("<dIHB?")  # time, identifier, number of the bus, bytes of data, extended
+    HEAD = struct.Struct("<dIIB?")  # time, identifier, number of the bus, bytes of data, extended
 
     def __init__(self):
         self.bytes = bytearray()
-        self.buses = []
+        self.numbers = {}  # of the buses
 
     def add(self, frame):
-        if frame.bus not in self.buses:
-            self.buses.append(frame.bus)
-        self.bytes += self.HEAD.pack(frame.time_s, frame.identifier, self.buses.index(frame.bus), len(frame.data), frame.extended)
-        self.bytes += frame.data
+        number = self.numbers.setdefault(frame.bus, len(self.numbers))
+        self.bytes += self.HEAD.pack(frame.time_s, frame.identifier, number, len(frame.data), frame.extended) + frame.data
 
     def frames(self):
-        place = 0
+        place, buses = 0, list(self.numbers)
         while place < len(self.bytes):
-            time_s, identifier, bus, length, extended = self.HEAD.unpack_from(self.bytes, place)
+            time_s, identifier, number, length, extended = self.HEAD.unpack_from(self.bytes, place)
             place += self.HEAD.size + length
-            yield Frame(time_s, self.buses[bus], identifier, extended, bytes(self.bytes[place - length:place]), length > 8, False, False)
+            yield Frame(time_s, buses[number], identifier, extended, bytes(self.bytes[place - length:place]), length > 8, False,
+                        False)
 
 
 class TableSource:

@@ -27,7 +27,7 @@ SEPARATORS = (",", ";", "\t")
 # Time of day, perhaps with its day before it.
 CLOCK = re.compile(r"(?:(\d{4})-(\d\d?)-(\d\d?)[T ]\s*|(\d\d?)\.(\d\d?)\.(\d{4})[ T,]\s*)?(\d\d?):(\d\d):(\d\d(?:[.,]\d+)?)Z?")
 DAY_S = 86_400
-SHORTEST_STEP_S, LONGEST_STEP_S = 0.0002, 0.1  # between rows that make a drive
+SHORTEST_STEP_S, LONGEST_STEP_S = 0.004, 0.1  # between rows; 1 may be a second or a millisecond
 
 
 def read(logs, mapping):
@@ -278,7 +278,8 @@ def read_rows(table, lines, names, units, mapping, wanted, clock, collected):
             raise LogError(f"{place}: the last line has no line end: the file was cut off; copy it again, or delete this line")
         if len(fields) != len(names):
             raise LogError(f"{place}: {len(fields)} fields, but line {header_line} names {len(names)} columns; export it again")
-        number, clock_s = table.number_of(fields[time_index]), clock_times.seconds(fields[time_index])
+        number = table.number_of(fields[time_index])
+        clock_s = clock_times.seconds(fields[time_index]) if number is None else None
         if targets is None and all(table.number_of(field) is None for field in fields):
             units = fields if any(fields) else units  # a line of units below the names
             continue

@@ -38,12 +38,14 @@ double height_share(const rsi::Parameters& parameters) {
 double felt_load_transfer(const std::vector<ReplayCycle>& cycles, double height_share,
                           const NamedWarning& warning) {
     double largest = EcuOutput::not_available;
-    for (std::size_t first = 0U; first + mean_over <= cycles.size(); ++first) {
-        if (cycles[first].sample.time_s >= warning.begin_s - felt_about_s &&
-            cycles[first].sample.time_s <= warning.end_s + felt_about_s) {
-            // std::fmax takes the number beside a NaN.
-            largest = std::fmax(largest, height_share * std::fabs(mean_ratio(cycles, first)));
-        }
+    const auto begin = std::lower_bound(
+        cycles.begin(), cycles.end(), warning.begin_s - felt_about_s,
+        [](const ReplayCycle& cycle, double time_s) { return cycle.sample.time_s < time_s; });
+    for (auto first = static_cast<std::size_t>(begin - cycles.begin());
+         first + mean_over <= cycles.size() && cycles[first].sample.time_s <= warning.end_s + felt_about_s;
+         ++first) {
+        // std::fmax takes the number beside a NaN.
+        largest = std::fmax(largest, height_share * std::fabs(mean_ratio(cycles, first)));
     }
     return largest;
 }

@@ -204,6 +204,9 @@ DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
         return comparison;
     }
     add_remark(comparison, cut_words(drive, prepared, vehicle));
+    if (prepared.samples.empty()) {
+        return comparison;
+    }
     comparison.largest_force_mps2 = prepared.largest_parallel_mps2;
     comparison.counts = turns(prepared);
     comparison.turn_s = sample_time_s * static_cast<double>(std::count(comparison.counts.begin(),

@@ -175,6 +175,11 @@ class Validate(unittest.TestCase):
         self.assertIn("s of turns before it", row["reason"])
         self.assertEqual(row["roll_angle_within_share"], "1.0000")
         self.assertRegex(said, r"replay: warning, right at \d\.\d{3} s; left at \d\.\d{3} s\n")
+        lifted_s = summary["one_wheel_lift_time_s"]
+        whole = rows_of(drive)
+        write_rows(self.scratch / "lifted.csv", [row for row in whole if float(row["time_s"]) >= lifted_s])
+        row, _ = self.judged_alone("lifted", self.scratch / "lifted.csv", without_loads)
+        self.assertEqual((row["comparison"], row["roll_angle_within_share"]), ("not comparable", ""))
         calm, _ = self.judged_slalom("slalom_without", without_loads)
         self.assertEqual((calm["comparison"], calm["reason"]), ("within", ""))
 
