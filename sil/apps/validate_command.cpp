@@ -14,6 +14,7 @@
 #include "sil/files/file_io.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/drives/drive_names.hpp"
+#include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/vehicle_validation/validation_folder.hpp"
 #include "sil/studies/vehicle_validation/validation_page.hpp"
 
@@ -76,6 +77,7 @@ void validate(const ValidateRequest& request) {
         calibration = identify_into(request.output / "identification", folder, vehicle, validation);
     } else {
         validation.calibration = fmt::format("It is {}.", calibration.string());
+        validation.warnings = doubts_in(read_whole_file(calibration));
     }
     const rsi::Parameters parameters = load_calibration(calibration.string());
     const std::vector<std::string> names = drive_names(folder.checks);

@@ -33,6 +33,20 @@ const char* to_string(LoadBand band) {
     return "invalid";
 }
 
+void NamedWarnings::observe(WarningState state, WarningSide side, double time_s) {
+    if (state != WarningState::warning) {
+        in_force_ = false;
+        return;
+    }
+    if (side != WarningSide::none && (!in_force_ || warnings_.back().side != side)) {
+        warnings_.push_back({time_s, time_s, side});
+        in_force_ = true;
+    }
+    if (in_force_) {
+        warnings_.back().end_s = time_s;
+    }
+}
+
 void WarningInForce::observe(WarningState state, WarningSide side, double time_s) {
     const WarningSide now = state == WarningState::warning ? side : WarningSide::none;
     if (now != side_) {

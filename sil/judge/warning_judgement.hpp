@@ -26,6 +26,27 @@ LoadBand load_band(double largest_load_transfer_ratio);
 // "below 0.7", "0.7 to 0.8", "0.8 to 0.9", "0.9 to lift".
 const char* to_string(LoadBand band);
 
+// A warning while it names one side.
+struct NamedWarning {
+    double begin_s{0.0};
+    double end_s{0.0};  // of its last frame
+    WarningSide side{WarningSide::none};
+};
+
+// The warnings of a drive in their order. One that changes its side is one of each side; a break in the side
+// alone is none.
+class NamedWarnings {
+ public:
+    // At every warning frame.
+    void observe(WarningState state, WarningSide side, double time_s);
+
+    const std::vector<NamedWarning>& all() const { return warnings_; }
+
+ private:
+    bool in_force_{false};
+    std::vector<NamedWarning> warnings_{};
+};
+
 // The warning that is in force, and since when with its side.
 class WarningInForce {
  public:

@@ -21,8 +21,9 @@ class ReplayError : public std::runtime_error {
     std::size_t line_;
 };
 
-// The sensor frames of a log, with its times. Throws ReplayError when there is none, when the time goes back
-// from one to the next, and at a gap of more than an hour.
+// The sensor frames of a log in the order of their times; those of one time in the order of the log. Throws
+// ReplayError when there is none, when the time goes back by more than 0.2 s, and at a gap of more than an
+// hour.
 std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log);
 
 // Frames that the firmware with these parameters sends, stepped every 10 ms from the first frame's time until

@@ -91,6 +91,7 @@ class DbcFile:
     def __init__(self, text):
         self.blocks, self.odd, self.names = [], [], {}
         self._by_number = collections.defaultdict(dict)  # by identifier and signal; None: the message itself
+        self._first_lines = {}    # of messages by identifier and by name
         self._block = None        # the signals that follow belong to it; None: left out with their message
         self._given = None        # its identifier as it stands in the file
         self._is_counted = True
@@ -176,6 +177,15 @@ class DbcFile:
                                       "should say so: read as one of 29"))
             is_extended = True
         self._block = Block(line, number | (EXTENDED if is_extended else 0), self._alias(match[2]), int(match[3]))
+        number, name = self._block.number, self._block.name
+        if number in self._first_lines:
+            self.odd.append(Odd(line, f"message {match[2]} has the identifier {given} of the message in line "
+                                      f"{self._first_lines[number]}: both are read"))
+        elif name in self._first_lines:
+            self.odd.append(Odd(line, f"a second message {match[2]}: of signals of the same name that in line "
+                                      f"{self._first_lines[name]} counts"))
+        self._first_lines.setdefault(number, line)
+        self._first_lines.setdefault(name, line)
         self.blocks.append(self._block)
         for key in {given, self._block.number}:
             self._by_number[key].setdefault(None, self._block)
@@ -201,6 +211,9 @@ class DbcFile:
         if not 0 < int(length) <= bits or int(start) >= bits:
             self._leave_out(line, f"signal {name} of {length} bits from bit {start} on")
             return
+        first = int(start) if order == "1" else int(start) // 8 * 8 + 7 - int(start) % 8
+        if first + int(length) > 8 * self._block.length:
+            self.odd.append(Odd(line, f"signal {name} reaches beyond the {self._block.length} bytes of its message"))
         if not re.fullmatch(rf"\s*{NUMBER}\s*\|\s*{NUMBER}\s*", f"{low}|{high}"):
             low = high = "0"
         numbers = [plain(number) for number in (factor, offset, low, high)]

@@ -1,6 +1,7 @@
 """The mapped signals of bus logs, decoded with a DBC file."""
 
 import errno
+import functools
 import json
 import logging
 import pathlib
@@ -56,24 +57,28 @@ def refusal(path, error):
 
 
 def load_dbc(path):
-    """As it is; if a line of it is odd, statement by statement, without those that are."""
+    """As it is; if a line of it is odd, statement by statement, without those that are: cantools refuses some of them, and
+    takes others silently."""
     text = dbc_file.text_of(path.read_bytes())
+    file, failure = dbc_file.DbcFile(text), None
     try:
         if dbc_file.HUGE.search(text):
             raise ValueError("it has numbers beyond anything possible")
         # Foreign files have overlaps and lengths that contradict themselves, mostly in signals outside the mapping.
-        return cantools.database.load_string(text, "dbc", strict=False)
+        whole = cantools.database.load_string(text, "dbc", strict=False)
+        if not file.odd:
+            return whole
     except Exception as error:  # of many kinds
-        file = dbc_file.DbcFile(text)
-        odd = list(file.odd)
-        messages = sorted_out(file.blocks, odd)
-        if not any(message.signals for message in messages):
-            raise refusal(path, error) from error
-        for message in messages:
-            give_names(message, file.names)
-        if odd:
-            print(account_of(path, sorted(odd)), file=sys.stderr)
-        return cantools.database.can.Database(messages, strict=False)
+        failure = error
+    odd = list(file.odd)
+    messages = sorted_out(file.blocks, odd)
+    if not any(message.signals for message in messages) and failure:
+        raise refusal(path, failure) from failure
+    for message in messages:
+        give_names(message, file.names)
+    if odd:
+        print(account_of(path, sorted(odd)), file=sys.stderr)
+    return cantools.database.can.Database(messages, strict=False)
 
 
 def sorted_out(blocks, odd):
@@ -144,6 +149,19 @@ class Database:
         for message in self.messages:
             for signal in message.signals:
                 self.signals.setdefault(f"{message.name}.{signal.name}", (message, signal))
+
+
+def database(paths):
+    """The database of these files. It is read, and its oddities are said, once for all the logs of a call."""
+    try:
+        return read_once(tuple((path, path.stat().st_mtime_ns, path.stat().st_size) for path in map(pathlib.Path, paths)))
+    except OSError:
+        return Database(paths)  # says what is wrong
+
+
+@functools.lru_cache(maxsize=2)
+def read_once(files):
+    return Database([path for path, _, _ in files])
 
 
 def layout(message):
@@ -285,11 +303,15 @@ def is_enumeration(signal):
 def read(logs, database, mapping):
     """Recorded values of each mapped quantity, and a sentence on each without values. The logs are parts of one
     recording, in their order."""
+    return read_frames({path: progress.reported(BusLog(path)) for path in logs}, database, mapping)
+
+
+def read_frames(logs, database, mapping):
+    """The same of the frames of each log, by its path."""
     messages = wanted_messages(database, mapping)
     clock = Clock()
-    for path in logs:
-        log = BusLog(path)
-        for frame in progress.reported(log):
+    for path, frames in logs.items():
+        for frame in frames:
             clock.take(path, frame.time_s)
             take(frame, messages, path)
     messages = of_parameter_groups(messages, logs)

@@ -3,6 +3,7 @@
 import collections
 import json
 import re
+import struct
 
 import numpy
 
@@ -14,7 +15,7 @@ import signal_names
 import table_signals
 import file_io
 from bus_log_writers import number_of
-from bus_logs import BusLog
+from bus_logs import BusLog, Frame
 from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS, admitted, factor_of
 from log_error import LogError
 from mapping import Entry
@@ -36,7 +37,7 @@ def make(dbc, log, output):
         raise LogError("draft needs a DBC file (--dbc FILE), or a log that is decoded already (--log FILE): a CSV or an MF4")
     if output.exists():
         raise LogError(f"{output}: exists already, perhaps with answers in it; delete it, or choose another file with --output")
-    source = DbcSource(dbc_signals.Database(dbc), log) if dbc else TableSource(log)
+    source = DbcSource(dbc_signals.database(dbc), log) if dbc else TableSource(log)
     choices = {}
     for quantity in QUANTITIES:
         found, is_clear = signal_names.candidates(quantity, source.in_log)
@@ -78,14 +79,30 @@ class DbcSource:
                         if not dbc_signals.is_enumeration(signal) and signal.length > 1]
         self.in_log = self.signals
         self.buses = collections.defaultdict(set)
+        self.kept = KeptFrames()
         if log:
+            keys = self.keys_of_candidates()
             for frame in progress.reported(BusLog(log)):
-                self.buses[dbc_signals.frame_key(frame)].add(frame.bus)
-                if frame.extended:
-                    self.buses[dbc_signals.group_key(frame.identifier)].add(frame.bus)
+                key = dbc_signals.frame_key(frame)
+                group = dbc_signals.group_key(frame.identifier) if frame.extended else key
+                self.buses[key].add(frame.bus)
+                self.buses[group].add(frame.bus)
+                if key in keys or group in keys:
+                    self.kept.add(frame)
             self.in_log = [signal for signal in self.signals if self.is_there(signal)]
             if not self.in_log:
                 raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
+
+    def keys_of_candidates(self):
+        """Of the messages with a signal that may be a quantity."""
+        keys = set()
+        for signal in self.signals:
+            if any(signal_names.likeness(quantity, signal)[0] for quantity in QUANTITIES):
+                message, _ = self.database.signals[signal.key]
+                keys.add(dbc_signals.key_of(message))
+                if message.is_extended_frame:
+                    keys.add(dbc_signals.group_key(message.frame_id))
+        return keys
 
     def head(self):
         return []
@@ -117,7 +134,29 @@ class DbcSource:
         return f"{message.name}.{flag}" if flag else None
 
     def read(self, entries):
-        return dbc_signals.read([self.log], self.database, AsDrafted(entries))[0]
+        return dbc_signals.read_frames({self.log: self.kept.frames()}, self.database, AsDrafted(entries))[0]
+
+
+class KeptFrames:
+    """Frames in memory, in few more bytes than their own: so that a log is read once."""
+
+    HEAD = struct.Struct("<dIIB?")  # time, identifier, number of the bus, bytes of data, extended
+
+    def __init__(self):
+        self.bytes = bytearray()
+        self.numbers = {}  # of the buses
+
+    def add(self, frame):
+        number = self.numbers.setdefault(frame.bus, len(self.numbers))
+        self.bytes += self.HEAD.pack(frame.time_s, frame.identifier, number, len(frame.data), frame.extended) + frame.data
+
+    def frames(self):
+        place, buses = 0, list(self.numbers)
+        while place < len(self.bytes):
+            time_s, identifier, number, length, extended = self.HEAD.unpack_from(self.bytes, place)
+            place += self.HEAD.size + length
+            yield Frame(time_s, buses[number], identifier, extended, bytes(self.bytes[place - length:place]), length > 8, False,
+                        False)
 
 
 class TableSource:
@@ -129,7 +168,7 @@ class TableSource:
                         for column in table_signals.columns_of(log)]
         self.in_log = self.signals
         times = [signal for signal in self.signals
-                 if re.match(r"(t|\w*time\w*|\w*zeit\w*|interval)( |$)", signal_names.words(signal.name))]
+                 if re.match(r"(t|(date (and )?|datum (und )?)?\w*(time|zeit)\w*|timestamp|interval)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
@@ -137,8 +176,16 @@ class TableSource:
         if not self.is_csv:
             return []
         key = f"signal = {quoted(self.time.key)}" if self.time else 'signal = "?"  # the column of the time'
-        unit = self.time.unit if self.time and factor_of(self.time.unit, "time") else None
-        return [f"[time]\n{key}\nunit = {quoted(unit) if unit else quoted('?') + '  # of the time: ' + admitted('time')}\n"]
+        unit = self.time_unit() if self.time else None
+        if unit is None:
+            return [f"[time]\n{key}\nunit = \"?\"  # of the time: {admitted('time')}\n"]
+        return [f"[time]\n{key}\nunit = {quoted(unit[0])}{'  # ' * bool(unit[1])}{unit[1]}\n"]
+
+    def time_unit(self):
+        """Unit of the time and a remark on it; None where it is not known."""
+        if factor_of(self.time.unit, "time"):
+            return self.time.unit, ""
+        return table_signals.time_unit(self.log, self.time.key)
 
     def buses_of(self, _):
         return []
@@ -159,7 +206,8 @@ class TableSource:
         if self.is_csv and not self.time:
             return None
         mapping = AsDrafted(entries)
-        mapping.time = (self.time.key, factor_of(self.time.unit, "time") or 1.0) if self.is_csv else None
+        unit = self.time_unit()
+        mapping.time = (self.time.key, factor_of(unit[0], "time") if unit else 1.0) if self.is_csv else None
         return table_signals.read([self.log], mapping)[0]
 
 

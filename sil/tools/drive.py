@@ -29,7 +29,7 @@ def make(logs, dbc, mapping_file, output):
         if output.exists() and path.exists() and output.samefile(path):
             raise LogError(f"{path}: the result would take its place; choose another file with --output")
     log_names = ", ".join(str(path) for path in logs)
-    recorded, missing = (dbc_signals.read(logs, dbc_signals.Database(dbc), mapping) if dbc else
+    recorded, missing = (dbc_signals.read(logs, dbc_signals.database(dbc), mapping) if dbc else
                          table_signals.read(logs, mapping))
     check_recorded(mapping, recorded, missing, log_names)
     recorded, start = from_zero(recorded)

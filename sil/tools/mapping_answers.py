@@ -17,6 +17,7 @@ QUESTION = re.compile(r'sign = "\?"(.*\n#.* hardest at (\S+) s of the drive: (.+
 ASKED_OF = "# The signs are asked of the log "
 ANSWERED = "# Answered: the turn was to the "
 NEEDED = ("time", "lateral_acceleration", "roll_rate", *draft.NEEDED)  # a drive without any other is worth having
+ENOUGH = 3
 
 
 class Unanswered(LogError):
@@ -34,22 +35,24 @@ def dbc_options(dbc):
 
 def write_draft(dbc, logs, signals):
     """The draft by the log that shows most signs and agrees best with the others on which of them are alike: on a bank or in a
-    slide one log may show the contrary."""
-    drafts, why = {}, None
+    slide one log may show the contrary. Logs after ENOUGH that show as much add nothing."""
+    drafts, shown, why = {}, {}, None
     with tempfile.TemporaryDirectory() as scratch:
         for number, log in enumerate(logs):
+            most = max(map(len, shown.values()), default=0)
+            if most and sum(len(signs) == most for signs in shown.values()) >= ENOUGH:
+                break
             file = pathlib.Path(scratch, f"{number}.toml")
             print(f"looking at {log}", flush=True)
             try:
                 with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
                     draft.make(dbc, log, file)
                 drafts[log] = file_io.read(file)
+                shown[log] = signs_if_left(drafts[log])
             except LogError as error:
                 why = why or error
     if not drafts:
         raise why
-    shown = {log: signs_if_left(text) for log, text in drafts.items()}
-
     def agreement(log):
         return sum(abs(sum(sign * other.get(name, 0) for name, sign in shown[log].items())) for other in shown.values())
 

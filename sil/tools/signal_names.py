@@ -40,7 +40,7 @@ NAMES.update({f"wheel_load_{corner}": rf"\b({TYRE} ?)?{LOAD} ?{text}\b|\b{text} 
 # Enough where the unit says the rest.
 WITH_UNIT = {"lateral_acceleration": r"\b(lat|lateral|quer)\b", "vertical_acceleration": r"\b(vert|vertical|vertikal)\b",
              "roll_rate": r"\b(roll|wank)\b", "roll_angle": r"\b(roll|wank)\b", "yaw_rate": r"\b(yaw|gier)\b",
-             "speed": r"^vx?( (mps|kmh|kph|mph))?$",
+             "speed": r"^vx?( (mps|kmh|kph|mph))?$|\bv ?(signal|sig|ist|act|actual|ref\w*)\b",
              "steering_wheel_angle": r"\b(lenkrad|steering wheel|steering|(steer|delta) ?(hw|sw)|hand ?wheel|swa|lwi)\b"}
 WITH_UNIT.update({f"wheel_load_{corner}": rf"\b({TYRE} ?{text}|{text} ?{TYRE})\b" for corner, text in CORNERS.items()})
 NOT_MEANT = (r"\b(qual\w*|q ?bit|qf|qly|valid\w*|vld|sta|stat\w*|offset|ofs|offs|bias|crc|cs|cks|cksum|chk\w*|check ?sum\w*|"

@@ -2,15 +2,17 @@
 
 import collections
 import csv
+import datetime
 import errno
 import itertools
 import pathlib
+import re
 
 import apart
 import progress
 import file_io
 from bus_logs import kind_of
-from drive_quantities import is_known
+from drive_quantities import UNITS, is_known
 from left_out import LeftOut
 from log_error import LogError
 from mapping import closest, signals_of
@@ -22,6 +24,10 @@ Column = collections.namedtuple("Column", "name unit minimum maximum scale is_fl
 HEADER_LINES = 200  # the names stand before
 LONGEST_LINE = 1_000_000
 SEPARATORS = (",", ";", "\t")
+# Time of day, perhaps with its day before it.
+CLOCK = re.compile(r"(?:(\d{4})-(\d\d?)-(\d\d?)[T ]\s*|(\d\d?)\.(\d\d?)\.(\d{4})[ T,]\s*)?(\d\d?):(\d\d):(\d\d(?:[.,]\d+)?)Z?")
+DAY_S = 86_400
+SHORTEST_STEP_S, LONGEST_STEP_S = 0.004, 0.1  # between rows; 1 may be a second or a millisecond
 
 
 def read(logs, mapping):
@@ -89,8 +95,8 @@ def columns_of(path):
     return [Column(name, unit) for name, unit in zip(layout.names, layout.units) if name]
 
 
-# How a CSV is written: what separates fields, the line of the names, names and units.
-Layout = collections.namedtuple("Layout", "separator number names units")
+# How a CSV is written: what separates fields, the line of the names, names and units, the first rows.
+Layout = collections.namedtuple("Layout", "separator number names units rows")
 
 
 class Csv:
@@ -127,7 +133,7 @@ class Csv:
         return max(layouts, key=lambda layout: len(layout.names), default=None)
 
     def _layout(self, separator, head):
-        self._separate_by(separator)
+        self.separate_by(separator)
         rows = [(number, self.fields(line) if line and not is_remark(line) else []) for number, line in head]
         first = next((index for index, (_, fields) in enumerate(rows) if self.is_row(fields)), None)
         above = []  # lines without a number and of as many fields, the nearest first
@@ -141,13 +147,14 @@ class Csv:
         has_units = len(above) > 1 and any(field and is_known(field) for field in above[0][1])
         number, fields = above[has_units]
         names, units = named(fields)
-        return Layout(separator, number, names, above[0][1] if has_units else units)
+        return Layout(separator, number, names, above[0][1] if has_units else units,
+                      [fields for _, fields in rows[first:] if len(fields) == len(names)])
 
     def is_row(self, fields):
         filled = [field for field in fields if field]
         return len(fields) > 1 and sum(self.number_of(field) is not None for field in filled) > len(filled) / 2
 
-    def _separate_by(self, separator):
+    def separate_by(self, separator):
         self.separator, self.comma = separator, separator != ","
 
     def header(self, lines, time_name):
@@ -157,7 +164,7 @@ class Csv:
         first = layout.names if layout else None
         for line in lines:
             for separator in SEPARATORS:
-                self._separate_by(separator)
+                self.separate_by(separator)
                 names, units = named(self.fields(line))
                 if time_name in names and number in (None, self.number):
                     return names, units
@@ -183,6 +190,46 @@ class Csv:
         return self.rows
 
     rows = ()
+
+
+class ClockTimes:
+    """Seconds of a column of times of day: since midnight, or with days since 1970."""
+
+    def __init__(self):
+        self.days, self.latest_s = 0, 0.0
+
+    def seconds(self, text):
+        """None for what is no time of day."""
+        found = CLOCK.fullmatch(text)
+        if found is None:
+            return None
+        year, month, day, other_day, other_month, other_year, hours, minutes, rest = found.groups()
+        of_day_s = 3600 * int(hours) + 60 * int(minutes) + float(rest.replace(",", "."))
+        if year or other_year:
+            try:
+                date = datetime.date(int(year or other_year), int(month or other_month), int(day or other_day))
+            except ValueError:
+                return None
+            return DAY_S * (date - datetime.date(1970, 1, 1)).days + of_day_s
+        self.days += of_day_s < self.latest_s - DAY_S / 2  # midnight
+        self.latest_s = of_day_s
+        return DAY_S * self.days + of_day_s
+
+
+def time_unit(path, name):
+    """The unit of a CSV's times by its first rows, and a remark on it; None where they do not tell."""
+    table = Csv(path)
+    layout = table.layout()
+    table.separate_by(layout.separator)
+    texts = [row[layout.names.index(name)] for row in layout.rows]
+    if texts and CLOCK.fullmatch(texts[0]):
+        return "s", "the log has times of day"
+    times = [number for number in map(table.number_of, texts) if number is not None]
+    steps = sorted(later - earlier for earlier, later in zip(times, times[1:]))
+    for unit, factor in UNITS["time"].items():
+        if steps and SHORTEST_STEP_S <= factor * steps[len(steps) // 2] <= LONGEST_STEP_S:
+            return unit, f"none stands there; the rows are {steps[len(steps) // 2]:g} apart"
+    return None
 
 
 def is_remark(line):
@@ -218,7 +265,7 @@ def read_csv(path, mapping, clock, collected):
 
 def read_rows(table, lines, names, units, mapping, wanted, clock, collected):
     time_index, time_factor = names.index(mapping.time[0]), mapping.time[1]
-    header_line, targets = table.number, None
+    header_line, targets, clock_times = table.number, None, ClockTimes()
     table.rows = lines
     for line in progress.reported(table):
         if not line.strip() or is_remark(line):
@@ -232,17 +279,20 @@ def read_rows(table, lines, names, units, mapping, wanted, clock, collected):
         if len(fields) != len(names):
             raise LogError(f"{place}: {len(fields)} fields, but line {header_line} names {len(names)} columns; export it again")
         number = table.number_of(fields[time_index])
+        clock_s = clock_times.seconds(fields[time_index]) if number is None else None
         if targets is None and all(table.number_of(field) is None for field in fields):
             units = fields if any(fields) else units  # a line of units below the names
             continue
-        if number is None:
-            raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
+        if number is None and clock_s is None:
+            raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is neither a number nor a time of day; export "
+                           "it as seconds")
         if targets is None:
             places = [names.index(name) for _, _, name in wanted]
             targets = [(index, into(collected, entry, role, units[index], mapping))
                        for index, (entry, role, _) in zip(places, wanted)]
-        clock.take(place, number * time_factor)
-        time_us = round(number * time_factor * 1.0e6)
+        time_s = clock_s if number is None else number * time_factor
+        clock.take(place, time_s)
+        time_us = round(time_s * 1.0e6)
         for index, target in targets:
             take_field(table, fields[index], time_us, target)
     if targets is None:
@@ -261,12 +311,15 @@ def take_field(table, text, time_us, target):
 
 
 def unit_in(name):
-    """The unit that a column's name ends with, as in "ay [m/s^2]", "ay (m/s^2)" and "ay_mps2"."""
+    """The unit that a column's name ends with, as in "ay [m/s^2]", "ay (m/s^2)", "ay in m/s^2", "ay / m/s^2" and "ay_mps2"."""
     for opening, closing in ("[]", "()"):
         if name.endswith(closing) and opening in name:
             return name[name.rindex(opening) + 1:-1]
-    ending = name.rpartition("_")[2]
-    return ending if ending != name and is_known(ending) else ""
+    for between in (" in ", " / ", "_"):
+        ending = name.rpartition(between)[2]
+        if ending != name and is_known(ending):
+            return ending
+    return ""
 
 
 def read_mf4(path, mapping, collected):

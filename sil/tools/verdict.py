@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 import bus_logs
+import dbc_signals
 import drive
 import drive_facts
 import file_io
@@ -24,6 +25,7 @@ PROGRAM = PROJECT / "build/release/sil/rsi-sil"
 CALIBRATIONS = PROJECT / "firmware/calibrations"
 TABLES = (".csv", ".txt", ".tsv", ".dat")
 NO_LOGS = (".toml", ".dbc", ".md", ".html")
+DOUBT = "# Doubt: "
 PURPOSES = ("ramp", "dynamic")  # as rsi-sil validate reads them from names
 DYNAMIC_MPS2 = 3.5              # of the drives without such names those nearest to it are taken as dynamic
 MOST_OF_A_PURPOSE = 2
@@ -41,6 +43,10 @@ def make(options):
         raise LogError(f"{options.folder}: cannot be read: {error.strerror}") from error
     output = options.output or PROJECT / "output" / f"logs-{options.folder.resolve().name}"
     begin(output)
+    odd = Kept(sys.stderr)
+    with contextlib.redirect_stderr(odd):
+        if options.dbc:
+            dbc_signals.database(options.dbc)
     own = options.folder / "mapping.toml"
     signals = own if own.exists() else output / "mapping.toml"
     if not signals.exists():
@@ -56,7 +62,8 @@ def make(options):
     parameters = parameters or CALIBRATIONS / "large_suv.toml"
     called(options.program, "replay", *[one.file for one in made], "--parameters", parameters, "--no-pictures", "--output",
            output / "replays")
-    text = verdict_text.markdown(made, left_out, found, output)
+    text = verdict_text.markdown(made, left_out, found, doubts_of(parameters), output)
+    text += verdict_text.section("DBC files", [line.removeprefix("sil/tools/logs: ") for line in odd.getvalue().splitlines()])
     if is_shipped:
         text += ("\nThe calibration is that of the shipped large_suv and not your vehicle's: the warnings show that the signals are "
                  "right, not when yours is warned. Give --vehicle-data FILE, or --parameters FILE.\n")
@@ -64,6 +71,11 @@ def make(options):
     file_io.write(output / "verdict.md", text)
     file_io.write(output / "verdict.html", verdict_text.page(text))
     print(f"\n{text}\nThe same as a page: {output / 'verdict.html'}")
+
+
+def doubts_of(parameters):
+    """Doubts that rsi-sil identify left at the head of a calibration."""
+    return [line.removeprefix(DOUBT) for line in mapping.read_text(parameters).splitlines() if line.startswith(DOUBT)]
 
 
 def begin(output):

@@ -14,44 +14,36 @@ def rows_of(file):
         return list(csv.DictReader(lines))
 
 
-def markdown(made, left_out, found, output):
-    """Each drive with its results of the replay, and the account of rsi-sil validate."""
+def markdown(made, left_out, found, doubts, output):
+    """Each drive with its results of the replay, the account of rsi-sil validate, and the doubts of rsi-sil identify."""
     replayed = {row["drive"]: row for row in rows_of(output / "replays/table.csv")}
     kinds = collections.Counter(row["verdict"] for row in replayed.values())
     alarms = [name for name, row in replayed.items() if row["verdict"] == "false alarm"]
     lines = ["# Verdict", "", f"{len(made)} drives: {', '.join(f'{count} {kind}' for kind, count in sorted(kinds.items()))}", "",
              f"False alarms: {', '.join(alarms) or 'none'}"
-             + ("; without wheel loads it is not known whether a warning was one" if "warning" in kinds else "")]
+             + ("; of a warning near lift-off it is not known without wheel loads" if "warning" in kinds else "")]
     for one in made:
         row = replayed[one.file.stem]
-        warnings = warnings_of(output / "replays" / one.file.stem / "warnings.csv")
+        warnings = [re.fullmatch(r"(\w+) at (\S+) s", warning) for warning in row["warnings"].split("; ") if warning]
         more = f" and {len(warnings) - SHOWN_WARNINGS} more" if len(warnings) > SHOWN_WARNINGS else ""
-        said = "warned of rolling over " + ", ".join(f"to the {side} at {float(time_s):.2f} s" for time_s, side in
+        said = "warned of rolling over " + ", ".join(f"to the {warning[1]} at {float(warning[2]):.2f} s" for warning in
                                                      warnings[:SHOWN_WARNINGS]) + more if warnings else "not warned"
         lines += ["", f"## {one.log.name}", "", *[f"- {line}" for line in one.facts], f"- {said}; verdict: {row['verdict']}"]
         lines += [f"- codes: {row['confirmed_codes']}"] if row["confirmed_codes"] else []
         if float(row["unavailable_duration_s"]):
             lines.append(f"- unavailable for {float(row['unavailable_duration_s']):.2f} s")
-        moment = f"#{warnings[0][0]}" if warnings else ""
+        moment = f"#{float(warnings[0][2])}" if warnings else ""
         lines.append(f"- [report](replays/{urllib.parse.quote(one.file.stem)}/report.html{moment})")
-    if left_out:
-        lines += ["", "## No drive", "", *[f"- {line}" for line in left_out]]
+    text = "\n".join(lines) + "\n" + section("No drive", left_out)
     if found:
         found = re.sub(r"^drive +warning s.*?^Results in .*?\n", "", found, flags=re.DOTALL | re.MULTILINE)  # it is above
-        lines += ["", "## What validate found", "", *[f"- {line.strip()}" for line in found.splitlines() if line.strip()]]
-    return "\n".join(lines) + "\n"
+        found = re.sub(r"^  identify doubts: .*\n", "", found, flags=re.MULTILINE)  # it is below
+        text += section("What validate found", [line.strip() for line in found.splitlines() if line.strip()])
+    return text + section("What identify doubts about the calibration", doubts)
 
 
-def warnings_of(file):
-    """Time and side of each warning; while it goes on, of each change of sides."""
-    found, last = [], None
-    for row in rows_of(file):
-        if row["state"] != "warning":
-            last = None
-        elif row["side"] in ("left", "right") and row["side"] != last:
-            last = row["side"]
-            found.append((row["time_s"], last))
-    return found
+def section(title, lines):
+    return "\n".join(["", f"## {title}", "", *[f"- {line}" for line in lines], ""]) if lines else ""
 
 
 def page(text):

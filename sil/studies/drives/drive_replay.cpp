@@ -11,6 +11,7 @@
 #include "sil/simulation/replay.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/drives/drive.hpp"
+#include "sil/studies/drives/felt_load_transfer.hpp"
 #include "sil/studies/drives/resample.hpp"
 
 namespace sil {
@@ -31,7 +32,10 @@ Truth known_truth(const ReplayCycle& cycle) {
 class Recorder {
  public:
     Recorder(const rsi::Parameters& parameters, const Interruption& interrupted)
-        : interrupted_{interrupted}, ecu_{parameters}, events_{static_stability_factor(parameters)} {}
+        : interrupted_{interrupted},
+          ecu_{parameters},
+          events_{static_stability_factor(parameters)},
+          height_share_{height_share(parameters)} {}
 
     InProcessEcu& ecu() { return ecu_; }
 
@@ -63,6 +67,7 @@ class Recorder {
         if (has_answer) {
             events_.observe(cycle.ecu, sample.time_s);
             judge_.observe(cycle.ecu.state(), cycle.ecu.side(), sample.time_s);
+            warnings_.observe(cycle.ecu.state(), cycle.ecu.side(), sample.time_s);
         }
         result_.silent_cycles += has_frames ? 0U : 1U;
         result_.cycles.push_back(cycle);
@@ -80,6 +85,9 @@ class Recorder {
         result_.frames_sent = frames_sent;
         result_.frames_received = frames_.frames_received();
         find_largest();
+        for (const NamedWarning& warning : warnings_.all()) {
+            result_.warnings.push_back({warning, felt_load_transfer(result_.cycles, height_share_, warning)});
+        }
         return std::move(result_);
     }
 
@@ -125,7 +133,9 @@ class Recorder {
     EcuFrames frames_;
     EventObserver events_;
     WarningJudge judge_;
+    NamedWarnings warnings_;
     CodeListener codes_;
+    double height_share_;
     DriveReplay result_;
 };
 

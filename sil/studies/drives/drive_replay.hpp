@@ -10,6 +10,7 @@
 
 #include "rsi/types.hpp"
 #include "sil/files/candump_log.hpp"
+#include "sil/judge/warning_judgement.hpp"
 #include "sil/results/diagnostic_codes.hpp"
 #include "sil/results/ecu_output.hpp"
 #include "sil/results/events.hpp"
@@ -28,8 +29,17 @@ struct ReplayCycle {
     double warning_level{EcuOutput::not_available};  // of the indicator that drives the warning; 1: warn
 };
 
+// A warning, and how near to lifting the vehicle can have been about it.
+struct ReplayWarning {
+    NamedWarning named;
+    // Largest |LTR| from a second before it to a second after it, as the accelerometers and the calibration's
+    // heights have it; NaN where they have none.
+    double largest_load_transfer_ratio{EcuOutput::not_available};
+};
+
 struct DriveReplay {
     std::vector<ReplayCycle> cycles;
+    std::vector<ReplayWarning> warnings;
     // The lateral acceleration is the one that the component measured, the roll angle the sensor's.
     RunEvents events;
     LiftOff lift_off;

@@ -12,6 +12,7 @@
 #include "sil/page/page_text.hpp"
 #include "sil/results/versions.hpp"
 #include "sil/studies/drives/replay_csv.hpp"
+#include "sil/studies/drives/replay_table.hpp"
 #include "sil/studies/drives/verdict.hpp"
 #include "sil/units.hpp"
 
@@ -105,8 +106,18 @@ PageVehicle page_vehicle(const rsi::Parameters& parameters, const LiftOff& lift_
     return vehicle;
 }
 
+std::string unknown_lift_off(const std::vector<ReplayWarning>& warnings) {
+    const auto calm = std::find_if(warnings.begin(), warnings.end(), cannot_lift);
+    return calm == warnings.end()
+               ? "Whether wheels lifted is not known, so the warning cannot be judged."
+               : fmt::format(
+                     "Whether wheels lifted is not measured, but about the warning at {:.3f} s none can "
+                     "have: the accelerometers show a load transfer ratio of at most {:.2f} there.",
+                     calm->named.begin_s, calm->largest_load_transfer_ratio);
+}
+
 std::vector<std::string> remarks(const std::vector<std::string>& columns, const rsi::Parameters& parameters,
-                                 LiftOffSource lift_off) {
+                                 const DriveReplay& replay) {
     const auto has = [&columns](const char* name) {
         return std::find(columns.begin(), columns.end(), name) != columns.end();
     };
@@ -133,9 +144,9 @@ std::vector<std::string> remarks(const std::vector<std::string>& columns, const 
                                  : "No roll angle was recorded.") +
                             observed);
     }
-    if (lift_off == LiftOffSource::unknown) {
-        sentences.push_back("Whether wheels lifted is not known, so the warning cannot be judged.");
-    } else if (lift_off == LiftOffSource::given) {
+    if (replay.lift_off.source == LiftOffSource::unknown) {
+        sentences.push_back(unknown_lift_off(replay.warnings));
+    } else if (replay.lift_off.source == LiftOffSource::given) {
         sentences.push_back("When wheels lifted is what the file states.");
     }
     sentences.push_back(
@@ -159,19 +170,20 @@ std::vector<PageDiagnosis> diagnosis_of(const DriveReplay& replay) {
 Facts facts_of(const ReplaySource& source, const DriveReplay& replay, const rsi::Parameters& parameters) {
     const RunEvents& events = replay.events;
     const bool known = replay.lift_off.source != LiftOffSource::unknown;
-    const auto moment = [](const std::optional<EventMoment>& event, bool is_known) {
-        return !is_known ? std::string{"not known"}
-                         : (event ? fmt::format("{:.3f} s", event->time_s) : std::string{"did not happen"});
+    const auto lift = [known](const std::optional<EventMoment>& event) {
+        return !known ? std::string{"not known"}
+                      : (event ? fmt::format("{:.3f} s", event->time_s) : std::string{"did not happen"});
     };
     const auto number = [](double value) {
         return std::isfinite(value) ? fmt::format("{:.3f}", value) : std::string{"not known"};
     };
     const std::string codes = code_names(replay.confirmed_codes);
+    const std::string warnings = all_warnings(replay);
     Facts facts{
         {"Verdict", to_string(verdict(replay))},
-        {"First warning", moment(events.warning, true)},
-        {"One-wheel lift-off", moment(events.one_wheel_lift, known)},
-        {"Two-wheel lift-off", moment(events.two_wheel_lift, known)},
+        {"Warnings", warnings.empty() ? "none" : first_warnings(warnings)},
+        {"One-wheel lift-off", lift(events.one_wheel_lift)},
+        {"Two-wheel lift-off", lift(events.two_wheel_lift)},
         {"Lift-off is known by", to_string(replay.lift_off.source)},
         {"Lead time", events.judgement.lead_s ? fmt::format("{:.3f} s", *events.judgement.lead_s) : "none"},
         {"On the wrong side", fmt::format("{:.3f} s", events.judgement.wrong_side_s)},
@@ -209,7 +221,7 @@ std::string replay_page(const ReplaySource& source, const DriveReplay& replay,
     head.facts = facts_of(source, replay, parameters);
     head.columns = known_columns(lines, parameters);
     head.lift_off_is_known = replay.lift_off.source != LiftOffSource::unknown;
-    head.remarks = remarks(head.columns, parameters, replay.lift_off.source);
+    head.remarks = remarks(head.columns, parameters, replay);
     const PageCells cells{indices_csv_columns(), head.columns};
     std::vector<std::string> rows;
     for (const std::string& line : lines) {

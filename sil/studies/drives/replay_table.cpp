@@ -42,7 +42,29 @@ std::string advice(const std::vector<ReplayRow>& rows) {
                      drives);
 }
 
+constexpr std::size_t shown_warnings = 4U;
+constexpr const char* between_warnings = "; ";
+
 }  // namespace
+
+std::string all_warnings(const DriveReplay& replay) {
+    std::string text;
+    for (const ReplayWarning& warning : replay.warnings) {
+        text += fmt::format("{}{} at {:.3f} s", text.empty() ? "" : between_warnings,
+                            to_string(warning.named.side), warning.named.begin_s);
+    }
+    return text;
+}
+
+std::string first_warnings(const std::string& all) {
+    std::size_t count = 0U, end = std::string::npos;
+    for (std::size_t at = 0U; at < std::string::npos; ++count) {
+        at = all.find(between_warnings, at == 0U ? 0U : at + 1U);
+        end = count + 1U == shown_warnings ? at : end;
+    }
+    return count > shown_warnings ? fmt::format("{}; {} more", all.substr(0U, end), count - shown_warnings)
+                                  : all;
+}
 
 ReplayRow replay_row(const std::string& file, const std::string& drive, const DriveReplay& replay) {
     const RunEvents& events = replay.events;
@@ -60,6 +82,7 @@ ReplayRow replay_row(const std::string& file, const std::string& drive, const Dr
     row.largest_load_transfer_ratio = replay.largest_load_transfer_ratio;
     row.largest_warning_level = replay.largest_warning_level;
     row.verdict = to_string(verdict(replay));
+    row.warnings = all_warnings(replay);
     return row;
 }
 
@@ -75,7 +98,7 @@ std::string table_csv(const std::vector<ReplayRow>& rows) {
     std::string text =
         "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
         "wrong_side_duration_s,unavailable_duration_s,largest_load_transfer_ratio,largest_warning_level,"
-        "verdict,confirmed_codes\n";
+        "verdict,confirmed_codes,warnings\n";
     for (const ReplayRow& row : rows) {
         CsvRow cells;
         cells.text(row.file).text(row.drive);
@@ -84,7 +107,7 @@ std::string table_csv(const std::vector<ReplayRow>& rows) {
             cells.fixed(time_s, 3);
         }
         cells.fixed(row.largest_load_transfer_ratio, 4).fixed(row.largest_warning_level, 4);
-        cells.text(row.verdict).text(row.confirmed_codes);
+        cells.text(row.verdict).text(row.confirmed_codes).text(row.warnings);
         text += cells.line() + "\n";
     }
     return text;
@@ -102,11 +125,12 @@ std::string table_text(const std::vector<ReplayRow>& rows) {
                                    "wrong s", "none s", "|LTR|", "level", "verdict");
     for (const ReplayRow& row : rows) {
         fmt::format_to(std::back_inserter(text),
-                       "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {:>7}  {:>7}  {}{}\n", row.drive,
+                       "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {:>7}  {:>7}  {}{}{}\n", row.drive,
                        width, number(row.warning_s, 2), number(row.one_wheel_lift_s, 2),
                        number(row.two_wheel_lift_s, 2), number(row.lead_s, 2), number(row.wrong_side_s, 2),
                        number(row.unavailable_s, 2), number(row.largest_load_transfer_ratio, 3),
                        number(row.largest_warning_level, 3), row.verdict,
+                       row.warnings.empty() ? "" : ": " + first_warnings(row.warnings),
                        row.confirmed_codes.empty() ? "" : " (" + row.confirmed_codes + ")");
     }
     text += fmt::format("{} drives:", rows.size());

@@ -1,5 +1,6 @@
 #include "sil/studies/drives/verdict.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sil {
@@ -17,6 +18,11 @@ Verdict of_a_lift_off(const WarningJudgement& judgement) {
 
 }  // namespace
 
+// Axles that share the load transfer unevenly lift their first wheel earlier than at 0.9.
+bool cannot_lift(const ReplayWarning& warning) {
+    return load_band(warning.largest_load_transfer_ratio) == LoadBand::below_0_7;
+}
+
 Verdict verdict(const DriveReplay& replay) {
     const RunEvents& events = replay.events;
     if (events.judgement.lifted) {
@@ -30,7 +36,8 @@ Verdict verdict(const DriveReplay& replay) {
         return known ? Verdict::quiet : Verdict::no_warning;
     }
     if (!known) {
-        return Verdict::warning;
+        return std::any_of(replay.warnings.begin(), replay.warnings.end(), cannot_lift) ? Verdict::false_alarm
+                                                                                        : Verdict::warning;
     }
     if (events.one_wheel_lift) {
         return Verdict::one_wheel_alarm;

@@ -29,6 +29,16 @@ std::string one_line(std::string text) {
     return text;
 }
 
+constexpr std::string_view doubt_mark = "# Doubt: ";
+
+std::string doubts(const Identification& result) {
+    std::string text;
+    for (const std::string& warning : result.warnings) {
+        text += one_line(std::string{doubt_mark} + warning) + "\n";
+    }
+    return text;
+}
+
 std::string head(const Identification& result) {
     return one_line(
                fmt::format("# Calibration of the rollover-warning component for the {}, by rsi-sil identify.",
@@ -38,10 +48,22 @@ std::string head(const Identification& result) {
            ".\n"
            "# Values without a remark are defaults, the same for every vehicle. Every key is needed; "
            "rsi/rsi.h says\n"
-           "# what each one is, rsi/parameters.hpp which range it has.\n";
+           "# what each one is, rsi/parameters.hpp which range it has.\n" +
+           doubts(result);
 }
 
 }  // namespace
+
+std::vector<std::string> doubts_in(const std::string& calibration) {
+    std::vector<std::string> found;
+    std::istringstream lines{calibration};
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind(doubt_mark, 0U) == 0U) {
+            found.push_back(line.substr(doubt_mark.size()));
+        }
+    }
+    return found;
+}
 
 std::string value_text(const IdentifiedValue& value) {
     for (const rsi::SelectionField& field : rsi::selection_fields) {

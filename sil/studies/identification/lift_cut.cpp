@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/studies/identification/roll_fit.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -48,6 +49,13 @@ void cut_by_acceleration(const Cycles& cycles, const VehicleData& vehicle, const
 }
 
 }  // namespace
+
+double load_transfer_by_heights(const VehicleData& vehicle, const RollSample& sample) {
+    const double inertia_kgm2 = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
+    const double moment_nm =
+        height_moment_kgm(vehicle) * sample.overturning_mps2 - inertia_kgm2 * sample.roll_acceleration_radps2;
+    return std::abs(moment_nm) / (0.5 * vehicle.total_mass_kg * sample.normal_mps2 * vehicle.track_width_m);
+}
 
 Cut find_cut(const Drive& drive, const Cycles& cycles, const VehicleData& vehicle,
              const PreparationOptions& options, const SensorOffsets& offsets) {

@@ -421,20 +421,8 @@ class Warnings {
     void about_offsets() {
         for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
             for (const PreparedDrive& drive : *drives) {
-                const SensorOffsets& offsets = drive.offsets;
-                if (!offsets.known) {
-                    warn(
-                        "{}: does not start with a long enough straight, as the {} shows (a second will "
-                        "do): sensor offsets are guessed from the drive itself",
-                        drive.name, offsets.judged_by);
-                } else if (std::abs(offsets.lateral_mps2) > 0.02 * g_mps2 ||
-                           std::abs(offsets.roll_angle_rad) * degrees_per_radian > 0.5) {
-                    warn(
-                        "{}: on the straight the sensors show {:+.3f} g and {:+.2f} deg of roll; that was "
-                        "taken off here, but the component does not do so: zero the sensors, or drive on "
-                        "a level road",
-                        drive.name, offsets.lateral_mps2 / g_mps2,
-                        offsets.roll_angle_rad * degrees_per_radian);
+                if (const auto doubt = straight_start_doubt(drive)) {
+                    warn("{}: {}", drive.name, *doubt);
                 }
             }
         }
@@ -445,6 +433,25 @@ class Warnings {
 };
 
 }  // namespace
+
+std::optional<std::string> straight_start_doubt(const PreparedDrive& drive) {
+    const SensorOffsets& offsets = drive.offsets;
+    if (!offsets.known) {
+        return fmt::format(
+            "does not start with a long enough straight, as the {} shows (a second will do): sensor offsets "
+            "are guessed from the drive itself",
+            offsets.judged_by);
+    }
+    if (std::abs(offsets.lateral_mps2) > 0.02 * g_mps2 ||
+        std::abs(offsets.roll_angle_rad) * degrees_per_radian > 0.5) {
+        return fmt::format(
+            "on the straight the sensors show {:+.3f} g and {:+.2f} deg of roll; that was taken off here, "
+            "but "
+            "the component does not do so: zero the sensors, or drive on a level road",
+            offsets.lateral_mps2 / g_mps2, offsets.roll_angle_rad * degrees_per_radian);
+    }
+    return std::nullopt;
+}
 
 std::vector<std::string> identification_warnings(const Identification& result) {
     return Warnings{result}.all();

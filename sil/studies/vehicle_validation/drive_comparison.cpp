@@ -6,10 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "sil/files/csv_writer.hpp"
+#include "sil/judge/warning_judgement.hpp"
+#include "sil/studies/identification/lift_cut.hpp"
+#include "sil/studies/identification/plausibility_checks.hpp"
 #include "sil/studies/identification/roll_prediction.hpp"
+#include "sil/studies/identification/roll_reference.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -69,9 +74,81 @@ bool is_mirrored(const ComparedQuantity& quantity, const std::vector<bool>& coun
     return product < 0.0;
 }
 
-ComparisonVerdict verdict_of(const DriveComparison& comparison) {
+// Leaves what comes before a first wheel can have lifted, which no wheel loads show; why no later, in words.
+std::string cut_before_lift(PreparedDrive& prepared, const VehicleData& vehicle) {
+    const auto end =
+        std::find_if(prepared.samples.begin(), prepared.samples.end(), [&vehicle](const RollSample& sample) {
+            return load_band(load_transfer_by_heights(vehicle, sample)) != LoadBand::below_0_7;
+        });
+    if (end != prepared.samples.end()) {
+        prepared.cut_s = end->time_s;
+    }
+    if (!prepared.cut_s) {
+        return {};
+    }
+    prepared.samples.erase(end, prepared.samples.end());
+    prepared.largest_parallel_mps2 = 0.0;
+    for (const RollSample& sample : prepared.samples) {
+        prepared.largest_parallel_mps2 =
+            std::max(prepared.largest_parallel_mps2, std::fabs(sample.parallel_mps2));
+    }
+    return fmt::format(
+        "from {:.2f} s on a first wheel may have lifted, by the heights of the vehicle data and without "
+        "wheel "
+        "loads: not compared",
+        *prepared.cut_s);
+}
+
+std::string cut_words(const Drive& drive, PreparedDrive& prepared, const VehicleData& vehicle) {
+    return prepared.has_wheel_loads || drive.lift_off_given ? prepared.cut_reason
+                                                            : cut_before_lift(prepared, vehicle);
+}
+
+// The suspension alone.
+RollFit fit_of(const rsi::Parameters& parameters) {
+    RollFit fit;
+    fit.arm_m = static_cast<double>(parameters.sprung_cg_height_m) -
+                static_cast<double>(parameters.fixed_roll_centre_height_m);
+    const RollModel model = roll_model(parameters);
+    fit.stiffness_nmprad.value = model.stiffness_nmprad;
+    fit.stiffness_cubic_nmprad3.value = model.cubic_nmprad3;
+    fit.stiffness_quintic_nmprad5.value = model.quintic_nmprad5;
+    return fit;
+}
+
+std::optional<std::string> reference_doubt(const PreparedDrive& prepared, const VehicleData& vehicle,
+                                           const rsi::Parameters& parameters) {
+    const auto seen = seen_roll_reference(vehicle, fit_of(parameters), prepared);
+    const bool is_horizon = parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON;
+    if (!seen || is_horizon == (seen->reference == RollReference::horizon)) {
+        return std::nullopt;
+    }
+    return fmt::format("{}: the roll angle seems to be one against the {}, and the calibration says {}",
+                       seen->by, is_horizon ? "road" : "horizon", is_horizon ? "horizon" : "road");
+}
+
+void add_remark(DriveComparison& comparison, const std::string& remark) {
+    comparison.reason += (comparison.reason.empty() || remark.empty() ? "" : "; ") + remark;
+}
+
+// As identify doubts the drives that it takes.
+void add_doubts(DriveComparison& comparison, const PreparedDrive& prepared, const VehicleData& vehicle,
+                const rsi::Parameters& parameters) {
+    for (const auto& doubt :
+         {straight_start_doubt(prepared), reference_doubt(prepared, vehicle, parameters)}) {
+        add_remark(comparison, doubt.value_or(""));
+    }
+    for (const ComparedQuantity& quantity : comparison.quantities) {
+        if (is_mirrored(quantity, comparison.counts)) {
+            add_remark(comparison,
+                       fmt::format("the {} runs against its prediction: check the signs", quantity.words));
+        }
+    }
+}
+
+ComparisonVerdict verdict_of(const DriveComparison& comparison, bool was_cut) {
     if (comparison.turn_s < least_turn_s) {
-        return ComparisonVerdict::too_calm;
+        return was_cut ? ComparisonVerdict::not_comparable : ComparisonVerdict::too_calm;
     }
     const bool near =
         std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
@@ -126,8 +203,9 @@ DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
         comparison.reason = error.what();
         return comparison;
     }
-    if (prepared.cut_s) {
-        comparison.reason = prepared.cut_reason;
+    add_remark(comparison, cut_words(drive, prepared, vehicle));
+    if (prepared.samples.empty()) {
+        return comparison;
     }
     comparison.largest_force_mps2 = prepared.largest_parallel_mps2;
     comparison.counts = turns(prepared);
@@ -140,13 +218,11 @@ DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
     if (prepared.has_wheel_loads) {
         comparison.quantities.push_back(load_transfers(prepared, vehicle, parameters));
     }
-    comparison.verdict = verdict_of(comparison);
-    for (const ComparedQuantity& quantity : comparison.quantities) {
-        if (is_mirrored(quantity, comparison.counts)) {
-            comparison.reason += fmt::format("{}the {} runs against its prediction: check the signs",
-                                             comparison.reason.empty() ? "" : "; ", quantity.words);
-        }
+    comparison.verdict = verdict_of(comparison, prepared.cut_s.has_value());
+    if (comparison.verdict == ComparisonVerdict::not_comparable) {
+        add_remark(comparison, fmt::format("only {:.2f} s of turns before it", comparison.turn_s));
     }
+    add_doubts(comparison, prepared, vehicle, parameters);
     return comparison;
 }
 

@@ -66,7 +66,8 @@ struct ComparedQuantity {
 struct DriveComparison {
     std::string name{};
     ComparisonVerdict verdict{ComparisonVerdict::not_comparable};
-    std::string reason{};  // why no later, not comparable, or of a wrong sign, in words; may be empty
+    // Why no later or not comparable, and doubts about its sensors, in words; may be empty.
+    std::string reason{};
     std::vector<double> time_s{};
     std::vector<bool> counts{};  // which samples do
     double largest_force_mps2{};
@@ -77,7 +78,9 @@ struct DriveComparison {
 
 // Roll angle: by the calibration's roll model from the measured lateral force alone. Load transfer ratio: as
 // the component has it, from lateral force, roll angle and rate, against that of the wheel loads. Only what
-// comes before a wheel lifts is compared. A drive without roll angle, or too short, is not comparable.
+// comes before a wheel lifts is compared, and without wheel loads before one can have: where the heights and
+// the measured forces mean |LTR| = 0.7. A drive without roll angle, or too short before that, is not
+// comparable.
 DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
                               const rsi::Parameters& parameters);
 

@@ -7,6 +7,7 @@
 
 #include "sil/files/csv_writer.hpp"
 #include "sil/page/study_page.hpp"
+#include "sil/studies/drives/verdict.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -42,7 +43,23 @@ std::string counts(const Validation& validation) {
     return text;
 }
 
-std::string conclusion(const Validation& validation) {
+// The drives whose wheels and warnings do not fit together: "bank (false alarm)".
+std::string wrongly_warned(const Validation& validation) {
+    std::string names;
+    for (std::size_t place = 0U; place < validation.replays.size(); ++place) {
+        const std::string& verdict = validation.replays[place].verdict;
+        for (const Verdict wrong :
+             {Verdict::false_alarm, Verdict::wrong_side, Verdict::late, Verdict::missed}) {
+            if (verdict == to_string(wrong)) {
+                names += fmt::format("{}{} ({})", names.empty() ? "" : ", ",
+                                     validation.comparisons[place].name, verdict);
+            }
+        }
+    }
+    return names;
+}
+
+std::string conclusion_on_roll(const Validation& validation, bool is_rightly_warned) {
     const auto any = [&validation](ComparisonVerdict verdict) {
         return std::any_of(validation.comparisons.begin(), validation.comparisons.end(),
                            [verdict](const DriveComparison& each) { return each.verdict == verdict; });
@@ -50,8 +67,17 @@ std::string conclusion(const Validation& validation) {
     if (any(ComparisonVerdict::outside)) {
         return "The calibration does not describe every drive: see where the prediction leaves its corridor.";
     }
-    return any(ComparisonVerdict::within) ? "The calibration describes every drive that says anything of it."
-                                          : "No drive says anything of the calibration.";
+    if (!any(ComparisonVerdict::within)) {
+        return "No drive says anything of the calibration.";
+    }
+    return is_rightly_warned ? "The calibration describes every drive that says anything of it."
+                             : "The calibration describes how every drive rolls that says anything of it.";
+}
+
+std::string conclusion(const Validation& validation) {
+    const std::string wrong = wrongly_warned(validation);
+    const std::string of_roll = conclusion_on_roll(validation, wrong.empty());
+    return wrong.empty() ? of_roll : fmt::format("{} The warning was wrong in: {}.", of_roll, wrong);
 }
 
 Table table_of_drives(const Validation& validation) {
@@ -66,7 +92,7 @@ Table table_of_drives(const Validation& validation) {
                      {"up to", 2, "g"},
                      {"counted", 2, "s"},
                      {"replay"},
-                     {"first warning", 2, "s"},
+                     {"warnings"},
                      {"unavailable", 2, "s"},
                      {"confirmed codes"},
                      {"remark"}};
@@ -77,7 +103,8 @@ Table table_of_drives(const Validation& validation) {
                               100.0 * share_of(comparison, 0U), rms_of(comparison, 0U),
                               100.0 * share_of(comparison, 1U), rms_of(comparison, 1U),
                               comparison.largest_force_mps2 / g_mps2, comparison.turn_s, replay.verdict,
-                              replay.warning_s.value_or(not_known), replay.unavailable_s.value_or(not_known),
+                              replay.warnings.empty() ? std::string{"none"} : first_warnings(replay.warnings),
+                              replay.unavailable_s.value_or(not_known),
                               replay.confirmed_codes.empty() ? std::string{"none"} : replay.confirmed_codes,
                               comparison.reason});
     }
@@ -126,7 +153,8 @@ std::string validation_csv(const Validation& validation) {
     std::string text =
         "drive,comparison,roll_angle_within_share,roll_angle_rms_deg,load_transfer_within_share,load_"
         "transfer_rms,"
-        "largest_force_mps2,turn_s,replay,warning_time_s,unavailable_duration_s,confirmed_codes,reason\n";
+        "largest_force_mps2,turn_s,replay,warning_time_s,unavailable_duration_s,confirmed_codes,warnings,"
+        "reason\n";
     for (std::size_t place = 0U; place < validation.comparisons.size(); ++place) {
         const DriveComparison& comparison = validation.comparisons[place];
         const ReplayRow& replay = validation.replays[place];
@@ -136,14 +164,19 @@ std::string validation_csv(const Validation& validation) {
         row.fixed(share_of(comparison, 1U), 4).fixed(rms_of(comparison, 1U), 5);
         row.fixed(comparison.largest_force_mps2, 3).fixed(comparison.turn_s, 2).text(replay.verdict);
         row.fixed(replay.warning_s, 3).fixed(replay.unavailable_s, 3).text(replay.confirmed_codes);
-        text += row.text(comparison.reason).line() + "\n";
+        text += row.text(replay.warnings).text(comparison.reason).line() + "\n";
     }
     return text;
 }
 
 std::string validation_text(const Validation& validation) {
     std::string text;
-    for (const DriveComparison& comparison : validation.comparisons) {
+    for (const std::string& warning : validation.warnings) {
+        text += fmt::format("  identify doubts: {}\n", warning);
+    }
+    for (std::size_t place = 0U; place < validation.comparisons.size(); ++place) {
+        const DriveComparison& comparison = validation.comparisons[place];
+        const ReplayRow& replay = validation.replays[place];
         text += fmt::format("  {}: {}", comparison.name, to_string(comparison.verdict));
         for (const ComparedQuantity& quantity :
              comparison.turn_s > 0.0 ? comparison.quantities : std::vector<ComparedQuantity>{}) {
@@ -151,7 +184,9 @@ std::string validation_text(const Validation& validation) {
                                 100.0 * quantity.share_within, quantity.rms_error,
                                 quantity.unit.empty() ? "" : quantity.unit + " ");
         }
-        text += (comparison.reason.empty() ? "" : "; " + comparison.reason) + "\n";
+        text += fmt::format("{}; replay: {}{}\n", comparison.reason.empty() ? "" : "; " + comparison.reason,
+                            replay.verdict,
+                            replay.warnings.empty() ? "" : ", " + first_warnings(replay.warnings));
     }
     return text + fmt::format("{} drives: {}\n{}\n", validation.comparisons.size(), counts(validation),
                               conclusion(validation));

@@ -19,7 +19,7 @@ struct Validation {
 
 // drive, comparison, roll_angle_within_share, roll_angle_rms_deg, load_transfer_within_share,
 // load_transfer_rms, largest_force_mps2, turn_s, replay, warning_time_s, unavailable_duration_s,
-// confirmed_codes, reason. An unknown value is empty.
+// confirmed_codes, warnings, reason. An unknown value is empty.
 std::string validation_csv(const Validation& validation);
 
 // The same for people, with the number of drives of each verdict.

@@ -95,7 +95,7 @@ TEST_F(ReplayProgram, GoesOnAfterABadFileAndSaysWhichItWas) {
     EXPECT_FALSE(fs::exists(results("b")));
     EXPECT_FALSE(fs::exists(results("b.partial")));
     EXPECT_TRUE(fs::exists(results("c") / "summary.json"));
-    EXPECT_THAT(text_of(results("table.csv")), testing::HasSubstr("b.csv,b,,,,,,,,,failed,\n"));
+    EXPECT_THAT(text_of(results("table.csv")), testing::HasSubstr("b.csv,b,,,,,,,,,failed,,\n"));
 }
 
 TEST_F(ReplayProgram, ResultsOfAnEarlierReplayDoNotOutliveAFailure) {

@@ -3,19 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "sil/results/summary.hpp"
+#include "sil/studies/drives/felt_load_transfer.hpp"
 #include "sil/studies/drives/replay_csv.hpp"
 #include "sil/studies/drives/replay_summary.hpp"
 #include "sil/studies/drives/replay_table.hpp"
 #include "sil/studies/drives/verdict.hpp"
+#include "sil/units.hpp"
 #include "tests/sil/drives/recorded_drive.hpp"
 
 namespace {
 
+using sil::DriveSample;
 using sil::Verdict;
 using sil::WarningSide;
 using sil::WarningState;
@@ -190,6 +194,68 @@ TEST(Verdict, SaysNothingOfLiftOffThatIsNotKnown) {
     EXPECT_EQ(sil::verdict(replay), Verdict::no_warning);
 }
 
+sil::ReplayWarning warned(WarningSide side, double time_s, double largest_load_transfer_ratio = 0.9) {
+    return {{time_s, time_s, side}, largest_load_transfer_ratio};
+}
+
+TEST(Verdict, WithoutWheelLoadsAWarningWhereNoneCanHaveLiftedIsFalse) {
+    sil::DriveReplay replay = outcome(1.0, {}, {});
+    replay.lift_off.source = sil::LiftOffSource::unknown;
+    replay.warnings = {warned(WarningSide::left, 1.0, 0.7),
+                       warned(WarningSide::left, 2.0, sil::EcuOutput::not_available)};
+    EXPECT_EQ(sil::verdict(replay), Verdict::warning);
+    replay.warnings.push_back(warned(WarningSide::right, 3.0, 0.69));
+    EXPECT_EQ(sil::verdict(replay), Verdict::false_alarm);
+    replay.lift_off.source = sil::LiftOffSource::given;
+    replay.largest_load_transfer_ratio = 0.9;
+    EXPECT_EQ(sil::verdict(replay), Verdict::near_alarm) << "the wheel loads count where they are known";
+}
+
+TEST(FeltLoadTransfer, IsTheLargestAboutTheWarning) {
+    rsi::Parameters parameters = testing_drives::large_suv_calibration();
+    parameters.sprung_mass_kg = 1800.0F;
+    parameters.unsprung_mass_kg = 200.0F;
+    parameters.sprung_cg_height_m = 0.9F;
+    parameters.unsprung_cg_height_m = 0.4F;
+    parameters.track_width_m = 1.7F;
+    const double share = sil::height_share(parameters);
+    EXPECT_NEAR(share, 1.0, 1e-6);
+    std::vector<sil::ReplayCycle> cycles;
+    for (int number = 0; number < 500; ++number) {
+        cycles.push_back(cycle(0.01 * number, WarningState::ready, WarningSide::none));
+        DriveSample& sample = cycles.back().sample;
+        sample.lateral_acceleration_mps2 = number < 90 ? 9.0 : (number < 330 ? -3.0 : 6.0);
+        sample.vertical_acceleration_mps2 = 10.0;
+    }
+    const auto felt = [&](double begin_s, double end_s) {
+        return sil::felt_load_transfer(cycles, share, {begin_s, end_s, WarningSide::left});
+    };
+    EXPECT_NEAR(felt(2.0, 2.1), 0.3, 1e-6);
+    EXPECT_NEAR(felt(1.8, 2.1), 0.9, 1e-6) << "within a second before";
+    EXPECT_NEAR(felt(2.0, 2.31), 0.6, 1e-6) << "within a second after";
+    EXPECT_TRUE(std::isnan(felt(8.0, 9.0)));
+    cycles[205].sample.lateral_acceleration_mps2 = 1000.0;
+    EXPECT_NEAR(felt(2.0, 2.1), (9.0 * 3.0 - 1000.0) / -100.0, 1e-5) << "a mean";
+    for (sil::ReplayCycle& each : cycles) {
+        each.sample.vertical_acceleration_mps2 = sil::EcuOutput::not_available;
+        each.sample.lateral_acceleration_mps2 = -0.5 * sil::g_mps2;
+    }
+    EXPECT_NEAR(felt(2.0, 2.1), 0.5, 1e-6) << "g where no vertical acceleration is known";
+}
+
+TEST(ReplayTable, NamesTheSideOfEveryWarning) {
+    sil::DriveReplay replay = lifted(WarningSide::right, 0.25);
+    replay.warnings = {warned(WarningSide::right, 1.0), warned(WarningSide::left, 2.5)};
+    const sil::ReplayRow row = sil::replay_row("x.csv", "x", replay);
+    EXPECT_THAT(sil::table_csv({row}), testing::HasSubstr(",ahead,,right at 1.000 s; left at 2.500 s\n"));
+    EXPECT_THAT(sil::table_text({row}), testing::HasSubstr("  ahead: right at 1.000 s; left at 2.500 s\n"));
+    replay.warnings.insert(replay.warnings.end(), 2U, warned(WarningSide::left, 3.0));
+    EXPECT_EQ(sil::first_warnings(sil::all_warnings(replay)), sil::all_warnings(replay));
+    replay.warnings.insert(replay.warnings.end(), 2U, warned(WarningSide::left, 4.0));
+    EXPECT_EQ(sil::first_warnings(sil::all_warnings(replay)),
+              "right at 1.000 s; left at 2.500 s; left at 3.000 s; left at 3.000 s; 2 more");
+}
+
 TEST(ReplayTable, HasARowForEveryFileAlsoForFailedOnes) {
     sil::DriveReplay replay = lifted(WarningSide::right, 0.25);
     replay.events.judgement.wrong_side_s = 0.125;
@@ -202,9 +268,9 @@ TEST(ReplayTable, HasARowForEveryFileAlsoForFailedOnes) {
     EXPECT_EQ(csv,
               "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
               "wrong_side_duration_s,unavailable_duration_s,largest_load_transfer_ratio,"
-              "largest_warning_level,verdict,confirmed_codes\n"
-              "\"a,b/x.csv\",x,1.000,1.100,1.200,0.250,0.125,1.500,0.9900,,ahead,speed stuck\n"
-              "y.csv,y,,,,,,,,,failed,\n");
+              "largest_warning_level,verdict,confirmed_codes,warnings\n"
+              "\"a,b/x.csv\",x,1.000,1.100,1.200,0.250,0.125,1.500,0.9900,,ahead,speed stuck,\n"
+              "y.csv,y,,,,,,,,,failed,,\n");
     EXPECT_THAT(sil::table_text(rows), testing::HasSubstr("  1.50    0.990        -  ahead (speed stuck)\n"));
     EXPECT_THAT(sil::table_text(rows), testing::HasSubstr("2 drives: 1 ahead, 1 failed"));
 }

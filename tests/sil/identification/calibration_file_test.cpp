@@ -16,6 +16,7 @@ namespace {
 
 using identification_test::KnownBody;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -84,6 +85,13 @@ TEST_F(CalibrationOfAKnownBody, NamesTheVehicleTheDrivesAndEachOrigin) {
         EXPECT_THAT(text, HasSubstr("\n" + value.key + " = "));
         EXPECT_THAT(text, HasSubstr("# " + value.origin));
     }
+}
+
+TEST_F(CalibrationOfAKnownBody, KeepsWhatIsDoubtedOfIt) {
+    result_.warnings = {"the ramp is short\nwarning_on = 0.1", "Ixx is large"};
+    EXPECT_NO_THROW(written());
+    EXPECT_THAT(sil::doubts_in(sil::calibration_text(result_)),
+                ElementsAre("the ramp is short warning_on = 0.1", "Ixx is large"));
 }
 
 TEST_F(CalibrationOfAKnownBody, ANameWithALineBreakStaysAComment) {

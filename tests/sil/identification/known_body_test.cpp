@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/lift_cut.hpp"
 #include "sil/studies/identification/report.hpp"
 #include "tests/sil/identification/known_body.hpp"
 
@@ -137,6 +138,25 @@ TEST(KnownBodyTest, WithoutWheelLoadsUsesNothingAbove85PerCentOfTheStaticStabili
     EXPECT_LT(drive.largest_parallel_mps2, limit_mps2);
     EXPECT_GT(drive.largest_parallel_mps2, 0.97 * limit_mps2);
     EXPECT_THAT(drive.cut_reason, HasSubstr("a first wheel may have lifted before"));
+}
+
+TEST(KnownBodyTest, TheHeightsAndForcesGiveTheLoadTransferOfTheWheels) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.roll_inertia_kgm2 = body.inertia_kgm2;
+    for (const sil::Drive& each :
+         {identification_test::ramp_of(body, 5.5), identification_test::steps_of(body)}) {
+        const sil::PreparedDrive drive = sil::prepare_drive(each, data, {});
+        double largest = 0.0;
+        for (const sil::RollSample& sample : drive.samples) {
+            const double measured = std::abs(sample.load_moment_nm) /
+                                    (0.5 * data.total_mass_kg * sample.normal_mps2 * data.track_width_m);
+            const double expected = sil::load_transfer_by_heights(data, sample);
+            EXPECT_NEAR(expected, measured, 0.03) << each.name << " at " << sample.time_s;
+            largest = std::max(largest, measured);
+        }
+        EXPECT_GT(largest, 0.25);
+    }
 }
 
 TEST(KnownBodyTest, UsesNothingAfterAWheelHasLifted) {

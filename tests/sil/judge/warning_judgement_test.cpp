@@ -57,6 +57,27 @@ JudgedRun ready() {
     return JudgedRun{}.drive(1, 0.01).say(WarningState::ready);
 }
 
+TEST(NamedWarnings, EachChangeOfSidesIsAWarning) {
+    sil::NamedWarnings warnings;
+    warnings.observe(WarningState::ready, WarningSide::none, 0.0);
+    warnings.observe(WarningState::warning, WarningSide::none, 0.9);
+    warnings.observe(WarningState::warning, WarningSide::left, 1.0);
+    warnings.observe(WarningState::warning, WarningSide::none, 1.5);
+    warnings.observe(WarningState::warning, WarningSide::left, 1.7);
+    warnings.observe(WarningState::warning, WarningSide::none, 2.0);
+    warnings.observe(WarningState::warning, WarningSide::right, 2.5);
+    warnings.observe(WarningState::ready, WarningSide::none, 3.0);
+    warnings.observe(WarningState::warning, WarningSide::right, 4.0);
+    ASSERT_EQ(warnings.all().size(), 3U);
+    const WarningSide sides[] = {WarningSide::left, WarningSide::right, WarningSide::right};
+    const double begins_s[] = {1.0, 2.5, 4.0}, ends_s[] = {2.0, 2.5, 4.0};
+    for (std::size_t place = 0U; place < 3U; ++place) {
+        EXPECT_EQ(warnings.all()[place].side, sides[place]);
+        EXPECT_EQ(warnings.all()[place].begin_s, begins_s[place]);
+        EXPECT_EQ(warnings.all()[place].end_s, ends_s[place]);
+    }
+}
+
 TEST(WarningJudge, WarnedMeansInForceWithTheFallingSideAtLiftOff) {
     const auto run = ready().drive(50, 0.8).warn(WarningSide::right).drive(30, 0.9).lift(WarningSide::right);
     const sil::WarningJudgement judged = run.judgement();

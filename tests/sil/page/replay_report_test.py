@@ -135,7 +135,7 @@ class ReplayReport(unittest.TestCase):
             self.assertEqual(facts["Verdict"], summary["verdict"])
             self.assertEqual(facts["Unavailable"], f"{summary['unavailable_duration_s']:.3f} s")
             self.assertEqual(facts["Confirmed codes"], "; ".join(summary["confirmed_codes"]) or "none")
-            self.assertEqual(facts["First warning"], f"{summary['warning_time_s']:.3f} s")
+            self.assertTrue(facts["Warnings"].startswith(f"{summary['warning_side']} at {summary['warning_time_s']:.3f} s"), facts["Warnings"])
             known = summary["lift_off_source"] != "unknown"
             self.assertEqual(facts["Two-wheel lift-off"], f"{summary['two_wheel_lift_time_s']:.3f} s" if known else "not known")
             self.assertIn(summary["verdict"], self.text("subtitle"))

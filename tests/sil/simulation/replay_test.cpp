@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "sil/simulation/replay.hpp"
@@ -70,12 +71,45 @@ TEST(AReplay, WithoutSensorFramesIsRefusedNamingTheIdentifiersExpected) {
 
 TEST(AReplay, OfSensorFramesWhoseTimeGoesBackIsRefusedNamingTheLine) {
     try {
-        sil::replay({frame_at(0x120U, 20, 4U), frame_at(0x120U, 10, 7U)}, large_suv_calibration());
+        sil::replay({frame_at(0x120U, 300, 4U), frame_at(0x121U, 250, 5U), frame_at(0x120U, 99, 7U)},
+                    large_suv_calibration());
         FAIL() << "accepted";
     } catch (const sil::ReplayError& error) {
         EXPECT_EQ(error.line(), 7U);
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("from 0.020000 s to 0.010000 s"));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("from 0.300000 s to 0.099000 s"));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("sort it by time"));
     }
+}
+
+// Recorders of several buses write the frames of each bus together.
+TEST(AReplay, TakesFramesInTheOrderOfTheirTimes) {
+    const std::vector<rsi::hal::CanFrame> frames = sil::replayable_frames(
+        {frame_at(0x120U, 200, 1U), frame_at(0x121U, 205, 2U), frame_at(0x122U, 200, 3U),
+         frame_at(0x120U, 5, 4U), frame_at(0x121U, 210, 5U)});
+    const std::uint32_t identifiers[] = {0x120U, 0x120U, 0x122U, 0x121U, 0x121U};
+    const std::int64_t times_ms[] = {5, 200, 200, 205, 210};
+    ASSERT_EQ(frames.size(), 5U);
+    for (std::size_t place = 0U; place < frames.size(); ++place) {
+        EXPECT_EQ(frames[place].identifier, identifiers[place]);
+        EXPECT_EQ(frames[place].receive_time.nanoseconds, times_ms[place] * 1'000'000);
+    }
+}
+
+TEST(AReplay, OfADisorderedLogGivesTheSameAnswers) {
+    RunSettings settings;
+    settings.duration_s = 1.5;
+    const RecordedRun run = run_and_record(hard_turn(), settings);
+    const std::vector<std::string> expected = ecu_payloads(run.log);
+    std::vector<sil::LoggedFrame> imu, disordered;  // those of the IMU twenty frames at a time, late
+    for (const sil::LoggedFrame& logged : run.log) {
+        (logged.frame.identifier == 0x120U ? imu : disordered).push_back(logged);
+        if (imu.size() == 20U) {
+            disordered.insert(disordered.end(), imu.begin(), imu.end());
+            imu.clear();
+        }
+    }
+    disordered.insert(disordered.end(), imu.begin(), imu.end());
+    EXPECT_EQ(ecu_payloads(sil::replay(disordered, large_suv_calibration())), expected);
 }
 
 TEST(AReplay, OfTwoRecordingsOnClocksOfTheirOwnIsRefusedNamingTheLine) {

@@ -30,7 +30,7 @@ class DbcFile(support.WithFolder):
         """Reads a good file with these lines in it; `expected` counts lines from the first of them."""
         database, said = self.read(HEAD + MESSAGE + lines + "\n" + "BO_ 37 LAST: 1 ECU\n SG_ B : 0|8@1+ (1,0) [0|0] \"\" ECU\n")
         self.assertEqual(set(database.signals), names | {"LAST.B"}, lines)
-        self.assertIn(f"odd.dbc: {expected.count('line ')} odd line", said, lines)
+        self.assertIn(f"odd.dbc: {expected.count('line {')} odd line", said, lines)
         self.assertIn(expected.format(*range(FIRST_LINE, FIRST_LINE + 10)), said)
         return database
 
@@ -49,6 +49,20 @@ class DbcFile(support.WithFolder):
             _, said = self.read(HEAD + MESSAGE + statement + end)
             self.assertIn("odd.dbc: 2 odd lines; " + left_out.format(FIRST_LINE, about), said)
             self.assertIn(left_out.format(FIRST_LINE + 1 + statement.count("\n"), no_signal), said)
+
+    def test_odd_lines_that_a_parser_takes_in_silence_are_said(self):
+        other = "BO_ 40 OTHER: 2 ECU\n"
+        for lines, expected, names in (
+                ('CM_ SG_ 36 Gone "text";', "line {0}: it is about a signal Gone, which message 36 has not: left out", set()),
+                (other + ' SG_ C : 8|9@1+ (1,0) [0|0] "" ECU', "line {1}: signal C reaches beyond the 2 bytes of its message",
+                 {"OTHER.C"}),
+                (other + ' SG_ C : 8|9@0+ (1,0) [0|0] "" ECU', "line {1}: signal C reaches beyond the 2 bytes", {"OTHER.C"}),
+                (other + ' SG_ C : 7|8@0+ (1,0) [0|0] "" ECU\n SG_ C : 8|8@1+ (1,0) [0|0] "" ECU',
+                 "line {2}: a second signal C in its message: left out", {"OTHER.C"}),
+                ('BO_ 36 AGAIN: 8 ECU\n SG_ C : 0|8@1+ (1,0) [0|0] "" ECU',
+                 f"line {{0}}: message AGAIN has the identifier 36 of the message in line {FIRST_LINE - 4}: both are read", {"AGAIN.C"}),
+                ('BO_ 40 KIN: 8 ECU\n SG_ C : 0|8@1+ (1,0) [0|0] "" ECU', "line {0}: a second message KIN: of signals", {"KIN.C"})):
+            self.odd(lines, expected, SOUND | names)
 
     def test_broken_statements_are_left_out(self):
         for lines, expected in (

@@ -1,6 +1,8 @@
 """Shared by the tests of drives."""
 
 import csv
+import io
+import unittest.mock
 
 import support
 
@@ -35,6 +37,15 @@ class WithDrives(support.WithRun):
         said = self.refused(expected, *arguments)
         self.assertEqual(list(arguments[-1].parent.glob("*.tmp")), [])
         return said
+
+    def unanswered(self, *arguments):
+        """A verdict without a terminal and an answer: what was said."""
+        said = io.StringIO()
+        with self.assertRaises(SystemExit) as raised, unittest.mock.patch("sys.stderr", said), \
+                unittest.mock.patch("sys.stdout", io.StringIO()), unittest.mock.patch("sys.stdin", io.StringIO("y\n")):
+            support.command.main([str(argument) for argument in arguments])
+        self.assertEqual(raised.exception.code, 3)
+        return said.getvalue()
 
     @staticmethod
     def rows(drive):

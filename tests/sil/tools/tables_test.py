@@ -7,6 +7,7 @@ import drive_support
 import support
 
 import foreign_recorder
+import mapping_answers
 
 COLUMNS = {"Ay [G]": ("lateral_acceleration_mps2", 1 / foreign_recorder.G_MPS2),
            "RollVel [rad/s]": ("roll_rate_degps", 1 / foreign_recorder.DEGREES),
@@ -150,6 +151,36 @@ class Tables(drive_support.WithDrives):
         self.assertEqual([line.split(",")[1:] for line in self.replay(drive).splitlines()],
                          [line.split(",")[1:] for line in self.replay(self.original).splitlines()])
 
+    def test_times_of_day_are_seconds_and_need_no_answer(self):
+        names = ("Querbeschleunigung in g", "Wankrate in rad/s", "Wankwinkel / \u00b0", "v_Fzg in km/h", "Gierrate in \u00b0/s",
+                 "Hochbeschleunigung in m/s\u00b2", "Lenkradwinkel in \u00b0")
+        plain = self.recorded_by(";".join(("Zeit", *names)) + "\n", separator=";", comma=True)
+        rows = plain.read_text(encoding="cp1252").split("\n", 1)[1]
+        warnings = self.replay(self.original)
+        # Two seconds before midnight, also with the day.
+        for title, day, next_day in (("Zeit", None, None), ("Uhrzeit", "", ""), ("Datum und Uhrzeit", "31.12.2025 ", "01.01.2026 "),
+                                     ("Timestamp", "2025-12-31T", "2026-01-01T")):
+            def time_of_day(found, day=day, next_day=next_day):
+                time_s = float(found[0].replace(",", ".")) + 86_398.0
+                of_day = time_s % 86_400
+                text = f"{int(of_day) // 3600:02}:{int(of_day) // 60 % 60:02}:{of_day % 60:06.3f}".replace(".", ",")
+                return (next_day if time_s > of_day else day) + text
+
+            file = self.folder / "clock.csv"
+            file.write_text(";".join((title, *names)) + "\n" + (rows if day is None else re.sub(r"(?m)^[\d,]+", time_of_day, rows)),
+                            encoding="utf-8")
+            draft = self.folder / "drafted.toml"
+            draft.unlink(missing_ok=True)
+            self.logs("draft", "--log", file, "--output", draft)
+            text = draft.read_text(encoding="utf-8")
+            self.assertIn(f'[time]\nsignal = "{title}"\nunit = "s"', text)
+            self.assertNotIn('unit = "?"', text)
+            mapping_answers.answer(draft, "left")
+            drive, _ = self.drive(file, dbc=None, mapping=draft)
+            rows_of_day = self.replay(drive).splitlines()
+            self.assertEqual(rows_of_day[-1].split(",")[1:], warnings.splitlines()[-1].split(",")[1:], title)
+            self.assertEqual(len(self.rows(drive)), 304)
+
     def test_the_line_of_units_is_read(self):
         mapping = self.mapping(MAPPING.replace('unit = "km/h"\n', ""))
         drive, _ = self.drive(self.table(units=UNITS), dbc=None, mapping=mapping)
@@ -198,7 +229,7 @@ class Tables(drive_support.WithDrives):
             return lambda lines: lines[:99] + [line(lines[99])] + lines[100:]
 
         refused(":100: 8 fields, but line 1 names 9 columns", at_100(lambda line: line.replace(",good", "")))
-        refused(":100: the time is 'noon', which is no number; ", at_100(lambda _: "noon,0,0,0,0,0,0,0,\n"))
+        refused(":100: the time is 'noon', which is neither a number nor a time of day; ", at_100(lambda _: "noon,0,0,0,0,0,0,0,\n"))
         refused(":100: the time runs back from 0.970000 s to 0.000000 s: ", at_100(lambda _: "0,0,0,0,0,0,0,0,\n"))
         refused(":305: the last line has no line end: the file was cut off; ",
                 lambda lines: lines[:-1] + [lines[-1].rstrip("\n")])

@@ -3,6 +3,8 @@
 Use: validate_test.py RSI_SIL
 """
 import csv
+import html
+import json
 import pathlib
 import re
 import shutil
@@ -32,6 +34,18 @@ def rows_of(file):
 def validate(folder, output, *options):
     command = [PROGRAM, "validate", folder, "--output", output, *options]
     return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def write_rows(file, rows):
+    rows = list(rows)
+    with open(file, "w", encoding="utf-8", newline="") as opened:
+        writer = csv.DictWriter(opened, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def without_loads(row):
+    return {name: value for name, value in row.items() if "wheel_load" not in name}
 
 
 class Validate(unittest.TestCase):
@@ -112,18 +126,17 @@ class Validate(unittest.TestCase):
                              for counts, (_, lower, upper, predicted) in zip(counted, numbers))
                 self.assertAlmostEqual(float(row[column]), within / sum(counted), 3)
 
-    def judged_slalom(self, name, change):
-        """The slalom alone, each row of it changed: its row of drives.csv, and what was printed."""
+    def judged_slalom(self, name, change, calibration=None):
+        return self.judged_alone(name, self.drives / "slalom.csv", change, calibration)
+
+    def judged_alone(self, name, drive, change, calibration=None):
+        """One drive alone, each row of it changed: its row of drives.csv, and what was printed."""
         folder = self.scratch / name
         folder.mkdir()
         shutil.copy(self.drives / "vehicle.toml", folder)
-        rows = [change(row) for row in rows_of(self.drives / "slalom.csv")]
-        with open(folder / "slalom.csv", "w", encoding="utf-8", newline="") as file:
-            writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
+        write_rows(folder / "slalom.csv", map(change, rows_of(drive)))
         output = self.scratch / f"{name}_judged"
-        result = validate(folder, output, "--parameters", self.output / "identification/calibration.toml")
+        result = validate(folder, output, "--parameters", calibration or self.output / "identification/calibration.toml")
         self.assertEqual(result.returncode, 0, result.stderr)
         judged, = rows_of(output / "drives.csv")
         return judged, result.stdout
@@ -144,6 +157,75 @@ class Validate(unittest.TestCase):
         self.assertIn("the roll angle runs against its prediction: check the signs", row["reason"])
         for right in rows_of(self.output / "drives.csv"):
             self.assertNotIn("check the signs", right["reason"])
+
+    def test_without_wheel_loads_the_fall_is_not_judged(self):
+        """Its first wheel lifts long before the lateral acceleration of the static rollover threshold."""
+        subprocess.run([PROGRAM, "run", "sine-with-dwell", "--in-process", "--vehicle", PROJECT / "sil/vehicles/van.toml",
+                        "--parameters", PROJECT / "firmware/calibrations/van.toml", "--output", self.scratch / "fall"],
+                       check=True, stdout=subprocess.DEVNULL)
+        drive = self.scratch / "fall/signals.csv"
+        row, said = self.judged_alone("fall_without", drive, without_loads)
+        summary = json.loads((self.scratch / "fall/summary.json").read_text(encoding="utf-8"))
+        end_s = float(re.match(r"from (\S+) s on a first wheel may have lifted", row["reason"])[1])
+        self.assertLess(end_s, summary["one_wheel_lift_time_s"])
+        self.assertGreater(end_s, summary["one_wheel_lift_time_s"] - 0.3)
+        compared = rows_of(self.scratch / "fall_without_judged/comparisons/slalom.csv")
+        self.assertLess(float(compared[-1]["time_s"]), end_s)
+        self.assertEqual(row["comparison"], "not comparable")
+        self.assertIn("s of turns before it", row["reason"])
+        self.assertEqual(row["roll_angle_within_share"], "1.0000")
+        self.assertRegex(said, r"replay: warning, right at \d\.\d{3} s; left at \d\.\d{3} s\n")
+        lifted_s = summary["one_wheel_lift_time_s"]
+        whole = rows_of(drive)
+        write_rows(self.scratch / "lifted.csv", [row for row in whole if float(row["time_s"]) >= lifted_s])
+        row, _ = self.judged_alone("lifted", self.scratch / "lifted.csv", without_loads)
+        self.assertEqual((row["comparison"], row["roll_angle_within_share"]), ("not comparable", ""))
+        calm, _ = self.judged_slalom("slalom_without", without_loads)
+        self.assertEqual((calm["comparison"], calm["reason"]), ("within", ""))
+
+    def test_a_warning_where_no_wheel_can_lift_is_part_of_the_verdict(self):
+        calibration = self.scratch / "eager.toml"
+        levels = {"advisory_on": 0.3, "advisory_off": 0.2, "warning_on": 0.4, "warning_off": 0.3}
+        text = self.calibration
+        for key, level in levels.items():
+            text = re.sub(rf"(?m)^{key} = \S+", f"{key} = {level}", text)
+        calibration.write_text(text, encoding="utf-8")
+        for name, change in (("eager", dict), ("eager_without", without_loads)):
+            row, said = self.judged_slalom(name, change, calibration)
+            self.assertEqual((row["comparison"], row["replay"]), ("within", "false alarm"))
+            self.assertNotIn("describes every drive", said)
+            self.assertIn("The warning was wrong in: slalom (false alarm).\n", said)
+            sides = [warning.split()[0] for warning in row["warnings"].split("; ")]
+            self.assertEqual(set(sides), {"left", "right"})
+            page = (self.scratch / f"{name}_judged/replays/slalom/report.html").read_text(encoding="utf-8")
+            self.assertIn("; ".join(row["warnings"].split("; ")[:4]), page)
+            self.assertEqual("none can have: the accelerometers show" in page, change is without_loads)
+
+    def test_the_doubts_of_the_identification_are_repeated(self):
+        folder = self.scratch / "doubted"
+        folder.mkdir()
+        shutil.copy(self.drives / "vehicle.toml", folder)
+        for name in ("ramp", "dynamic", "slalom"):
+            write_rows(folder / f"{name}.csv", map(without_loads, rows_of(self.drives / f"{name}.csv")))
+        first = validate(folder, self.scratch / "first").stdout
+        calibration = self.scratch / "first/identification/calibration.toml"
+        doubts = re.findall(r"(?m)^# Doubt: (.*)", calibration.read_text(encoding="utf-8"))
+        self.assertIn("without wheel loads nothing checks these heights", "\n".join(doubts))
+        again = validate(folder, self.scratch / "again", "--parameters", calibration).stdout
+        for said, name in ((first, "first"), (again, "again")):
+            self.assertEqual(re.findall(r"identify doubts: (.*)", said), doubts)
+            page = (self.scratch / name / "report.html").read_text(encoding="utf-8")
+            for doubt in doubts:
+                self.assertIn(doubt, html.unescape(page))
+
+    def test_a_drive_is_doubted_as_identify_would(self):
+        def crooked(row):
+            return row | {name: repr(float(value) + offset) for name, value in row.items() if value
+                          for part, offset in (("sensor_roll_angle", 1.0), ("sensor_lateral_acceleration", 0.17)) if part in name}
+
+        row, _ = self.judged_slalom("crooked", crooked)
+        self.assertRegex(row["reason"], r"on the straight the sensors show \+0\.01\d g and \+1\.0\d deg of roll")
+        self.assertIn("the roll angle seems to be one against the horizon, and the calibration says road", row["reason"])
 
     def test_missing_files_are_named(self):
         for names, text in (((), "there is no vehicle.toml"), (("vehicle.toml", "ramp.csv"), "there is no drive to check with"),
@@ -171,7 +253,7 @@ class Validate(unittest.TestCase):
             for row, file in zip(shown, files):
                 self.assertEqual(row[:3], [file["drive"], file["comparison"], known(file["roll_angle_within_share"], 100, 1)])
                 self.assertEqual(row[4], known(file["load_transfer_within_share"], 100, 1))
-                self.assertEqual(row[8:10], [file["replay"], known(file["warning_time_s"], 1, 2)])
+                self.assertEqual(row[8:10], [file["replay"], file["warnings"] or "none"])
             for number, file in enumerate(files, 1):
                 rows = rows_of(self.output / f"comparisons/{file['drive']}.csv")
                 samples = {round(float(each["time_s"]), 4): each for each in rows}
