@@ -72,6 +72,7 @@ class LivePage(unittest.TestCase):
         self.end()
         summary = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
         self.assertEqual(summary["lead_time_s"], lead)
+        self.assertEqual(summary["noise"], "noise")
         self.assertEqual(summary["warning_time_s"], events["warning"]["time_s"])
         written = self.rows()
         self.assertEqual(float(written[-1]["time_s"]), seen["rows"][-1][0])
