@@ -96,6 +96,27 @@ class Recording {
     return Math.max(low, 0);
   }
 
+  // The first row from `time` on; the last one after all of them.
+  rowFrom(time) {
+    const row = this.rowAt(time);
+    return this.rows.length > row + 1 && this.time(row) < time - 1e-9 ? row + 1 : row;
+  }
+
+  timeFrom(time) { return this.time(this.rowFrom(time)); }
+
+  // The time of the largest lateral acceleration.
+  get hardestTime() {
+    let hardest = 0;
+    let largest = 0;
+    for (let row = 0; row < this.rows.length; row += 1) {
+      const acceleration = Math.abs(this.value("acceleration", row));
+      if (acceleration > largest) {
+        [hardest, largest] = [row, acceleration];
+      }
+    }
+    return this.rows.length ? this.time(hardest) : 0;
+  }
+
   // Between two rows, for pictures that move; texts show the row itself.
   between(quantity, time) {
     const row = this.rowAt(time);
