@@ -6,7 +6,17 @@ import html
 import re
 import urllib.parse
 
+import drive_pictures
+
 SHOWN_WARNINGS = 4
+STYLE = """body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 1.5rem auto; padding: 0 1rem; overflow-wrap: anywhere;
+  background: var(--ground); color: var(--ink) }
+a { color: var(--accent) } h1, h2 { line-height: 1.2 } ul { padding-left: 1.2rem }
+h2 { border-top: 1px solid var(--line); padding-top: 1rem; margin-top: 1.6rem; font-size: 1.2rem }
+.pictures { display: grid; gap: 0.8rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)) }
+figure { margin: 0; background: var(--panel); border: 1px solid var(--line); border-radius: 10px; padding: 0.5rem }
+svg { display: block; width: 100% } svg text { font-size: 13px; fill: var(--quiet) }
+figcaption { color: var(--quiet); font-size: 0.85rem; margin-top: 0.3rem }"""
 
 
 def rows_of(file):
@@ -24,7 +34,7 @@ def markdown(made, left_out, found, output):
              + ("; without wheel loads it is not known whether a warning was one" if "warning" in kinds else "")]
     for one in made:
         row = replayed[one.file.stem]
-        warnings = warnings_of(output / "replays" / one.file.stem / "warnings.csv")
+        warnings = warnings_of(replay_of(one, output) / "warnings.csv")
         more = f" and {len(warnings) - SHOWN_WARNINGS} more" if len(warnings) > SHOWN_WARNINGS else ""
         said = "warned of rolling over " + ", ".join(f"to the {side} at {float(time_s):.2f} s" for time_s, side in
                                                      warnings[:SHOWN_WARNINGS]) + more if warnings else "not warned"
@@ -42,6 +52,10 @@ def markdown(made, left_out, found, output):
     return "\n".join(lines) + "\n"
 
 
+def replay_of(one, output):
+    return output / "replays" / one.file.stem
+
+
 def warnings_of(file):
     """Time and side of each warning; while it goes on, of each change of sides."""
     found, last = [], None
@@ -54,15 +68,22 @@ def warnings_of(file):
     return found
 
 
-def page(text):
-    """The Markdown above as HTML."""
+def pictures(made, output):
+    """HTML for the headings of the drives."""
+    return {f"## {one.log.name}": drive_pictures.pictures(one.drive, warnings_of(replay_of(one, output) / "warnings.csv"))
+            for one in made}
+
+
+def page(text, below):
+    """The Markdown above as HTML, with what belongs below some of its lines."""
     body = []
     for line in text.splitlines():
         safe = re.sub(r"\[report\]\((replays/[^\s()]+)\)", r'<a href="\1">report</a>', html.escape(line))
         level = len(re.match("#*", line)[0])
         body.append(f"<h{level}>{safe[level:].strip()}</h{level}>" if level else f"<li>{safe[2:]}</li>" if line.startswith("- ")
                     else f"<p>{safe}</p>" if line else "")
+        body += [below[line]] if line in below else []
     lists = re.sub(r"((?:<li>.*\n)+)", r"<ul>\n\1</ul>\n", "\n".join(body) + "\n")
     return ('<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width">\n'
-            "<title>Verdict</title>\n<style>body { font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; "
-            f"overflow-wrap: anywhere }} :root {{ color-scheme: light dark }}</style>\n{lists}</html>\n")
+            '<meta name="color-scheme" content="light dark">\n'
+            f"<title>Verdict</title>\n<style>{drive_pictures.colours()}\n{STYLE}</style>\n{lists}</html>\n")

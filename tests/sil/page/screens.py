@@ -1,5 +1,11 @@
-"""Layout of a page: what is in sight together, whether it is wider than the screen, and whether its texts can be read."""
+"""Layout of a page: what is in sight together, whether it is wider than the screen, and whether its texts can be read.
+
+Use: screens.py VERDICT.html: of the page that `sil/tools/logs verdict` makes.
+"""
 import json
+import pathlib
+import sys
+import unittest
 
 SIZES = ((1440, 900, False), (1024, 768, False), (390, 844, True))
 THEMES = ("light", "dark")
@@ -67,3 +73,22 @@ def each_screen(tab):
     tab.theme("dark")
     yield width
     tab.theme("light")
+
+
+def expect_verdict(file):
+    from browser import browser  # needs websockets, which only this use of the file has
+
+    case = unittest.TestCase()
+    with browser() as tab:
+        tab.open(pathlib.Path(file).resolve().as_uri(), is_ready="document.readyState === 'complete'")
+        for width in each_screen(tab):
+            expect_layout(case, tab, ["h1", "h2", ".pictures figure:first-child"])
+            tops = json.loads(tab.run("JSON.stringify([...document.querySelectorAll('.pictures')].map((each) =>"
+                                      "[...each.children].map((one) => one.getBoundingClientRect().top)))"))
+            for path, acceleration in tops:
+                case.assertEqual(path == acceleration, width > 390, "beside each other, except on a phone")
+        case.assertEqual(tab.complaints, [])
+
+
+if __name__ == "__main__":
+    expect_verdict(*sys.argv[1:])
