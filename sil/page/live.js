@@ -66,6 +66,7 @@ class Driver {
     }
     if (message.notice !== undefined) {
       byId("notice").textContent = message.notice;
+      this.page.atRest = message.notice !== "";
     }
     if (message.fault !== undefined) {
       byId("fault-now").textContent = message.fault || "all sensors good";
@@ -159,6 +160,7 @@ class Driver {
   showPaused(paused) {
     this.paused = paused;
     document.body.dataset.paused = String(paused);
+    this.page.atRest = paused || byId("notice").textContent !== "";
     byId("hold").querySelector("span").textContent = paused ? "Go on" : "Pause";
     byId("hold").setAttribute("aria-pressed", String(paused));
   }

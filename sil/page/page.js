@@ -21,7 +21,7 @@ const DEGRADATION_WORDS = {
 };
 const PACES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 const WINDOWS = [{ seconds: 0, words: "all" }, { seconds: 20, words: "20 s" }, { seconds: 8, words: "8 s" }, { seconds: 3, words: "3 s" }];
-const LIVE_WINDOW_S = 12;
+const LIVE_WINDOWS_S = [4, 8, 12]; // the shortest that holds the drive; then the last one moves on
 
 class Page extends Sheet {
   constructor() {
@@ -32,6 +32,7 @@ class Page extends Sheet {
     this.window = 0;
     this.playing = false;
     this.following = false;
+    this.atRest = false; // of a live drive: paused or over
     this.shownState = "";
     this.scene = new Scene(byId("scene"));
     this.plane = new Plane(byId("plane"), byId("plane-legend"));
@@ -282,8 +283,11 @@ class Page extends Sheet {
   chooseSpan() {
     const { recording, view } = this;
     if (this.following) {
-      view.to = Math.max(recording.lastTime, recording.firstTime + LIVE_WINDOW_S);
-      view.from = view.to - LIVE_WINDOW_S;
+      const driven = recording.lastTime - recording.firstTime;
+      const longest = LIVE_WINDOWS_S[LIVE_WINDOWS_S.length - 1];
+      const shown = LIVE_WINDOWS_S.find((each) => each >= driven) ?? longest;
+      view.from = Math.max(recording.firstTime, recording.lastTime - longest);
+      view.to = this.atRest ? Math.max(recording.lastTime, view.from + 0.1) : view.from + shown;
     } else if (this.window === 0 || this.window >= recording.lastTime - recording.firstTime) {
       view.from = recording.firstTime;
       view.to = Math.max(recording.lastTime, recording.firstTime + 0.1);

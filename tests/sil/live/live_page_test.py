@@ -121,6 +121,7 @@ class LivePage(unittest.TestCase):
         self.tab.key("p")
         self.tab.wait_for("document.getElementById('hold').getAttribute('aria-pressed') === 'true'", LONG_S)
         before = self.time()
+        self.tab.wait_for("page.view.to === page.recording.lastTime && page.view.from === page.recording.firstTime", LONG_S)
         self.tab.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
         self.assertEqual(self.time(), before)
         self.tab.run("(() => { const time = document.getElementById('time'); time.value = 3;"

@@ -187,6 +187,18 @@ class Report(unittest.TestCase):
                   {"warning": {"time_s": 1}})
         self.assertEqual(self.seen()["lead"], "warned of the left side; no two wheels of a side have lifted")
 
+    def test_on_a_straight_noise_does_not_move_the_threshold_to_the_other_side(self):
+        self.open()
+        self.show(["time_s", "true_lateral_acceleration_mps2", "ecu_lateral_acceleration_threshold_mps2"],
+                  [[0, 0.1, 8], [1, -0.1, -8], [1.5, -0.1, -8], [2, 5, 8], [3, -0.1, -8], [4, -5, -8], [5, 0.1, 8]], {})
+        self.assertEqual(self.tab.run("page.recording.rows.reduce((sides, _, row) =>"
+                                      "[...sides, page.recording.sideAt(row, sides.at(-1))], [1]).join()"), "1,1,1,1,1,1,-1,-1")
+        below = ("(() => { const { canvas, frame } = page.strips.find((each) => each.name === 'acceleration'); const zero = frame.toY(0);"
+                 "const data = canvas.getContext('2d').getImageData(frame.toX(0.5), zero + 20, frame.toX(3) - frame.toX(0.5), 20).data;"
+                 "return data.some((_, place) => place % 4 === 0 && data[place + 3] > 0 && data[place] > 180 && data[place + 1] < 110); })()")
+        self.assertFalse(self.tab.run(below))
+        self.assertTrue(self.tab.run(below.replace("zero + 20", "frame.top").replace(", 20).data", ", zero - 10).data")))
+
     def test_a_vehicle_that_falls_stays_in_its_panel(self):
         columns = ["time_s", "true_roll_angle_deg", "true_bank_angle_deg", *(f"true_wheel_gap_{wheel}_m" for wheel in WHEELS)]
         edges = ("(() => { const { canvas } = page.scene; const pen = canvas.getContext('2d');"
