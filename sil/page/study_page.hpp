@@ -53,8 +53,9 @@ struct StudyChart {
     StudyReading reading{StudyReading::nearest};
 };
 
-// The colours and dashes of many lines, one after the other.
-StudyLine study_line(const std::string& words, std::size_t place);
+// With colour and dash of the index, which are the same in every chart; an index without them is grey and
+// dotted.
+StudyLine index_line(const std::string& index);
 
 class StudyPage {
  public:

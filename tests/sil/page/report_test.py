@@ -214,6 +214,14 @@ class Report(unittest.TestCase):
                 self.tab.run("page.render()")
                 self.assertEqual(self.tab.run(edges), 0, (width, roll, bank))
 
+    def test_lines_of_indices_are_those_of_all_pictures(self):
+        self.open()
+        with open(PROJECT / "sil/results/index_styles.csv", encoding="utf-8", newline="") as file:
+            styles = {row["index"]: row for row in csv.DictReader(file)}
+        lines = json.loads(self.tab.run("JSON.stringify(STRIPS.find((each) => each.name === 'level').lines)"))
+        for line, index in zip(lines, ("published", "predicted_load_transfer"), strict=True):
+            self.assertEqual((line["colour"], "dash" in line), ("--" + styles[index]["colour"], styles[index]["dash"] == "2"))
+
     def test_opens_at_the_moment_in_the_address(self):
         self.open(moment=f"#{self.rows[200]['time_s']}")
         self.expect_row(self.rows, 200)
