@@ -50,7 +50,7 @@ Json json_of(const StudyAxis& axis, bool is_y) {
 }
 
 Json json_of(const StudyLine& line) {
-    static constexpr const char* styles[] = {"line", "mark", "cloud"};
+    static constexpr const char* styles[] = {"line", "mark", "cloud", "band"};
     Json json{{"words", line.words},
               {"colour", line.colour},
               {"dash", line.dash},

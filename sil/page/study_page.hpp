@@ -21,12 +21,13 @@ struct StudyAxis {
     std::optional<double> to{};
 };
 
-// x and y, and of some charts a third value that is read off with them, in brackets. A y that is not finite
+// x and y, and of some charts a third value that is read off with them, in brackets or as the band's end. A y that is not finite
 // interrupts the line.
 using StudyPoint = std::vector<double>;
 
 struct StudyLine {
-    enum class Style { line, mark, cloud };  // a mark: few points; a cloud: many, in any order, not read off
+    // A mark: few points. A cloud: many, in any order, not read off. A band: between y and the third value.
+    enum class Style { line, mark, cloud, band };
 
     std::string words{};
     std::string colour{"--blue"};  // of style.css

@@ -113,10 +113,16 @@ StudyChart chart_of(const DriveComparison& comparison, const ComparedQuantity& q
                         : quantity.words;
     chart.x = {"time", "s", 2, {}, {}};
     chart.y = {quantity.words, quantity.unit, 3, {}, {}};
-    chart.lines = {line_of(comparison, quantity.measured, "measured", "--sky", 4.0),
-                   line_of(comparison, quantity.corridor.lower, "lower bound", "--quiet", 1.0),
-                   line_of(comparison, quantity.corridor.upper, "upper bound", "--quiet", 1.0),
-                   line_of(comparison, quantity.predicted, "predicted", "--vermilion", 1.5)};
+    StudyLine corridor = line_of(comparison, quantity.corridor.lower, "corridor", "--quiet", 8.0);
+    corridor.style = StudyLine::Style::band;
+    for (std::size_t point = 0U; point < corridor.points.size(); ++point) {
+        corridor.points[point].push_back(
+            quantity.corridor.upper[point * chart_stride(quantity.corridor.upper.size())]);
+    }
+    // The last one lies on top; dashed, it leaves the one below in sight where both are the same.
+    StudyLine predicted = line_of(comparison, quantity.predicted, "predicted", "--vermilion", 2.0);
+    predicted.dash = {6, 3};
+    chart.lines = {corridor, line_of(comparison, quantity.measured, "measured", "--sky", 2.5), predicted};
     return chart;
 }
 
