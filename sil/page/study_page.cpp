@@ -70,11 +70,27 @@ Json json_of(const StudyLine& line) {
 
 }  // namespace
 
+StudyLine plain_line(const std::string& words, const std::string& colour, double width) {
+    StudyLine line;
+    line.words = words;
+    line.colour = colour;
+    line.width = width;
+    return line;
+}
+
+StudyLine measured_line(const std::string& words) {
+    return plain_line(words, "--sky", 2.5);
+}
+
+StudyLine predicted_line(const std::string& words) {
+    StudyLine line = plain_line(words, "--vermilion", 2.0);
+    line.dash = {6, 3};
+    return line;
+}
+
 StudyLine index_line(const std::string& index) {
     static const std::vector<std::vector<int>> dashes{{}, {6, 3}, {2, 3}};
-    StudyLine line;
-    line.words = index;
-    line.colour = "--quiet";
+    StudyLine line = plain_line(index, "--quiet", 2.0);
     line.dash = dashes[2];
     std::istringstream rows{std::string{index_styles}};
     for (std::string row; std::getline(rows, row);) {

@@ -21,8 +21,8 @@ struct StudyAxis {
     std::optional<double> to{};
 };
 
-// x and y, and of some charts a third value that is read off with them, in brackets or as the band's end. A y that is not finite
-// interrupts the line.
+// x and y, and of some charts a third value that is read off with them, in brackets or as the band's end. A y
+// that is not finite interrupts the line.
 using StudyPoint = std::vector<double>;
 
 struct StudyLine {
@@ -53,6 +53,14 @@ struct StudyChart {
     std::string note{};
     StudyReading reading{StudyReading::nearest};
 };
+
+// Words in one colour.
+StudyLine plain_line(const std::string& words, const std::string& colour, double width);
+
+// A signal as it was measured, and what a model makes of it. The latter lies on top; dashed, it leaves the
+// former in sight where both are the same.
+StudyLine measured_line(const std::string& words);
+StudyLine predicted_line(const std::string& words);
 
 // With colour and dash of the index, which are the same in every chart; an index without them is grey and
 // dotted.
