@@ -21,7 +21,7 @@ FACTS = """JSON.stringify((() => {
 
 
 def facts(tab):
-    """What a live page shows."""
+    """Those of a live page."""
     return json.loads(tab.run(FACTS))
 
 
