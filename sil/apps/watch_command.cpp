@@ -64,7 +64,8 @@ struct WatchRequest {
     std::string manoeuvre{};
     VehicleFiles files{};
     std::filesystem::path output{};
-    SensorFlaws sensors{};
+    SensorFlaws
+        sensors{};  // with noise, without which a vehicle straight ahead makes every sensor look stuck
     double speed_kmh{80.0};
     std::uint64_t port{0U};
     std::string interface{};  // empty: the firmware in this process
@@ -144,6 +145,7 @@ void watch(const WatchRequest& request) {
 
 void add_watch_command(CLI::App& app) {
     const auto request = std::make_shared<WatchRequest>();
+    request->sensors.noise = true;
     CLI::App* command = app.add_subcommand(
         "watch",
         "Drive the vehicle in a browser, against the firmware in this process or an ECU on a "
@@ -163,7 +165,9 @@ void add_watch_command(CLI::App& app) {
     add_port_option(*command, request->port);
     add_whole_number(*command, "--seed", request->sensors.seed, "Seed of the sensor noise")
         ->default_str(fmt::format("{}", request->sensors.seed));
-    command->add_flag("--noise", request->sensors.noise, "Sensors with noise");
+    command->add_flag("--noise,!--no-noise", request->sensors.noise,
+                      "Sensors with noise, the default, or without: then sensors of a vehicle straight "
+                      "ahead look stuck after a fault");
     command->callback([request] { watch(*request); });
 }
 

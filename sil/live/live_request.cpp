@@ -14,10 +14,14 @@ namespace {
 std::vector<LiveFaults> make_live_faults() {
     std::vector<LiveFaults> all;
     for (const SensorSignal& signal : sensor_signals) {
+        if (signal.place == FaultPlace::bank_angle) {
+            continue;  // no live vehicle has that sensor
+        }
         LiveFaults faults{signal.place, {}};
         for (const std::vector<Fault>* list : {&all_faults(), &further_faults()}) {
             for (const Fault& fault : *list) {
-                if (fault.place == signal.place && is_signal_fault(fault.kind)) {
+                if (fault.place == signal.place && is_signal_fault(fault.kind) &&
+                    fault.kind != FaultKind::out_of_range) {  // which is a code of a frame
                     faults.kinds.push_back(fault);
                 }
             }

@@ -38,7 +38,7 @@ struct LiveFaults {
     std::vector<Fault> kinds{};
 };
 
-// Those of the fault matrix that are of a signal, in its order.
+// Those of the fault matrix that change a sample, in its order.
 const std::vector<LiveFaults>& live_faults();
 
 // None for the choice that all sensors are good. Throws InputError for one that is not in the list.

@@ -148,8 +148,10 @@ std::string LiveSession::head() const {
     head.vehicle.roof_load_kg = load_kg_;
     std::string json = head_json(head);
     json.pop_back();
-    return json + fmt::format(",\"input\":{{\"speed_kmh\":{:.0f}}},\"driven\":{},\"faults\":{}}}",
-                              wish_.speed_mps * 3.6, !what_.manoeuvre, live_faults_json());
+    return json +
+           fmt::format(
+               ",\"input\":{{\"speed_kmh\":{:.0f}}},\"driven\":{},\"heals_within_s\":{:.0f},\"faults\":{}}}",
+               wish_.speed_mps * 3.6, !what_.manoeuvre, heals_within_s, live_faults_json());
 }
 
 std::string LiveSession::begin() {

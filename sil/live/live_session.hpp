@@ -48,6 +48,8 @@ class LiveSession {
     void finish();
 
     static constexpr std::size_t most_waiting_rows = 1000U;
+    // From "all sensors good" on until the firmware uses them all again, with sensor noise.
+    static constexpr double heals_within_s = 3.0;
 
  private:
     class Watch;

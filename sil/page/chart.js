@@ -50,6 +50,8 @@ function pathOf(points, reading, range) {
   return path;
 }
 
+const BAND_OPACITY = 0.3;
+
 class Chart {
   // `chart`: as StudyChart (study_page.hpp) says it.
   constructor(parent, chart) {
@@ -76,6 +78,7 @@ class Chart {
       const item = document.createElement("li");
       item.innerHTML = `<button type="button">${lineSample(each.colour, each.dash, each.width ?? 2)}<span></span><output></output></button>`;
       each.button = item.firstChild;
+      each.button.querySelector("path").style.opacity = each.style === "band" ? BAND_OPACITY : 1;
       each.button.dataset.series = each.words;
       each.button.setAttribute("aria-pressed", String(each.shown));
       each.button.querySelector("span").textContent = each.words;
@@ -198,8 +201,14 @@ class Chart {
       const value = point === null ? null : point[1];
       output.dataset.x = value === null ? "" : String(point[0]);
       output.dataset.value = value === null ? "" : String(value);
-      output.textContent = value === null ? "" : numberText(value, this.y.digits ?? 2) + (this.y.unit ? " " + this.y.unit : "") +
-        (point.length > 2 ? ` (${numberText(point[2], 3)})` : "");
+      const [unit, digits] = [this.y.unit ? " " + this.y.unit : "", this.y.digits ?? 2];
+      if (value === null) {
+        output.textContent = "";
+      } else if (each.style === "band") {
+        output.textContent = `${numberText(value, digits)} to ${numberText(point[2], digits)}${unit}`;
+      } else {
+        output.textContent = numberText(value, digits) + unit + (point.length > 2 ? ` (${numberText(point[2], 3)})` : "");
+      }
     }
   }
 
@@ -213,10 +222,10 @@ class Chart {
       // A step may go through the range and have no point in it.
       const ends = style === "line" && this.reading !== "nearest"
         ? [this.range.from, this.range.to].map((x) => [x, pointAt(points, x, this.reading)?.[1] ?? null]) : [];
-      for (const [x, y] of points.concat(ends)) {
+      for (const [x, y, end] of points.concat(ends)) {
         if (x >= this.range.from && x <= this.range.to && y !== null) {
           from = Math.min(from, y);
-          to = Math.max(to, y);
+          to = Math.max(to, style === "band" && end !== null ? end : y);
         }
       }
     }
@@ -267,7 +276,9 @@ class Chart {
     const { frame } = this;
     pen.save();
     pen.strokeStyle = pen.fillStyle = colourOf(series.colour);
-    if (series.style !== "line") {
+    if (series.style === "band") {
+      this.drawBand(pen, series);
+    } else if (series.style !== "line") {
       pen.globalAlpha = series.style === "cloud" ? 0.45 : 1;
       for (const [x, y] of series.points) {
         if (y !== null && x >= this.range.from && x <= this.range.to) {
@@ -295,6 +306,26 @@ class Chart {
     pen.restore();
   }
 
+  // Piece by piece: along one end and back along the other.
+  drawBand(pen, series) {
+    const { frame } = this;
+    const pieces = [[]];
+    for (const point of series.points) {
+      if (point[1] === null || point[2] === null) {
+        pieces.push([]);
+      } else {
+        pieces[pieces.length - 1].push(point);
+      }
+    }
+    pen.globalAlpha = BAND_OPACITY;
+    for (const piece of pieces) {
+      pen.beginPath();
+      piece.forEach(([x, y]) => pen.lineTo(frame.toX(x), frame.toY(y)));
+      piece.reverse().forEach(([x, , end]) => pen.lineTo(frame.toX(x), frame.toY(end)));
+      pen.fill();
+    }
+  }
+
   drawCursor(pen) {
     const { frame } = this;
     if (this.dragFrom !== undefined && this.dragTo !== undefined) {
@@ -310,7 +341,7 @@ class Chart {
     frame.line(frame.toX(this.cursor), frame.top, frame.toX(this.cursor), frame.bottom, "--ink", [], 1);
     for (const each of this.shownSeries) {
       const point = this.pointOf(each);
-      if (point !== null && point[1] !== null) {
+      if (point !== null && point[1] !== null && each.style !== "band") {
         pen.fillStyle = colourOf(each.colour);
         drawShape(pen, "circle", frame.toX(point[0]), frame.toY(point[1]), 3.2);
       }

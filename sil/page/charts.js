@@ -110,7 +110,8 @@ class Strip {
     this.frame.pen = pen;
     this.frame.line(x, this.frame.top, x, this.frame.bottom, "--ink", [], 1.2);
     for (const line of this.shown) {
-      const value = recording.value(line.quantity, view.row);
+      const raw = recording.value(line.quantity, view.row);
+      const value = line.breaks ? recording.sideAt(view.row, 1) * Math.abs(raw) : raw;
       if (!Number.isNaN(value) && !line.optional) {
         this.frame.clipped(() => {
           pen.fillStyle = colourOf(line.colour);
@@ -188,11 +189,13 @@ class Strip {
     const many = last - first > 3 * (frame.right - frame.left);
     let open = false;
     let previous = NaN;
+    let side = 1;
     let pixel = -1;
     let least = 0;
     let largest = 0;
     for (let row = first; row <= last; row += 1) {
-      const value = recording.value(line.quantity, row);
+      side = recording.sideAt(row, side);
+      const value = line.breaks ? side * Math.abs(recording.value(line.quantity, row)) : recording.value(line.quantity, row);
       if (Number.isNaN(value) || (line.breaks && value * previous < 0)) {
         open = false;
         pixel = -1;
@@ -282,8 +285,10 @@ class Plane {
         pen.setLineDash(dash);
         pen.beginPath();
         let previous = NaN;
+        let side = 1;
         for (let row = from; row <= to; row += 1) {
-          const across = recording.value(quantity, row);
+          side = recording.sideAt(row, side);
+          const across = quantity === "threshold" ? side * Math.abs(recording.value(quantity, row)) : recording.value(quantity, row);
           const up = recording.value("roll", row);
           const x = frame.toX(across);
           const y = frame.toY(up);

@@ -66,9 +66,11 @@ class Driver {
     }
     if (message.notice !== undefined) {
       byId("notice").textContent = message.notice;
+      this.page.atRest = message.notice !== "";
     }
     if (message.fault !== undefined) {
       byId("fault-now").textContent = message.fault || "all sensors good";
+      byId("fault-now").classList.toggle("broken", message.fault !== "");
     }
     if (message.brake_on_warning !== undefined) {
       byId("brake").setAttribute("aria-pressed", String(message.brake_on_warning));
@@ -106,12 +108,15 @@ class Driver {
     for (const input of ["steering", "speed"]) {
       byId(input).disabled = !head.driven; // a manoeuvre has its own driver
     }
+    byId("hint").hidden = !head.driven;
+    byId("heals").textContent = String(head.heals_within_s);
     this.page.show(this.recording, true);
   }
 
   listKinds() {
     const chosen = this.faults[Number(byId("fault-place").value)];
     byId("fault-kind").innerHTML = chosen.kinds.map((kind, index) => `<option value="${index}">${kind}</option>`).join("");
+    byId("fault-kind").value = String(Math.max(chosen.kinds.indexOf("not available"), 0)); // noticed in any drive
   }
 
   // ---- actions of the driver
@@ -155,7 +160,8 @@ class Driver {
   showPaused(paused) {
     this.paused = paused;
     document.body.dataset.paused = String(paused);
-    byId("hold").textContent = paused ? "Go on" : "Pause";
+    this.page.atRest = paused || byId("notice").textContent !== "";
+    byId("hold").querySelector("span").textContent = paused ? "Go on" : "Pause";
     byId("hold").setAttribute("aria-pressed", String(paused));
   }
 
@@ -181,7 +187,7 @@ class Driver {
       { key: "ArrowDown", shown: "\u2193", words: "5 km/h slower", act: () => this.holdSpeed(speed() - 5) },
       { key: "n", words: "start again", act: () => this.again() },
       { key: "p", words: "pause, go on", act: () => this.pause(!this.paused) },
-      { key: "f", words: "inject the chosen fault", act: () => this.inject() },
+      { key: "f", words: "break the chosen sensor", act: () => this.inject() },
       { key: "g", words: "all sensors good", act: () => this.clearFault() },
       { key: "b", words: "brake on warning, or not", act: () => this.brakeOnWarning() },
       { key: "l", words: "follow the drive again", act: () => this.page.following || byId("follow").click() },

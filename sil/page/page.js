@@ -10,9 +10,18 @@ const VALUES = [
   { quantity: "roll", words: "Roll angle", unit: "deg", digits: 2, signed: true },
   { quantity: "rollRate", words: "Roll rate", unit: "deg/s", digits: 1, signed: true },
 ];
+// The bus's words, in a driver's.
+const LAMP_WORDS = { unavailable: "cannot warn", ready: "ready", advisory: "caution", warning: "warning" };
+const DEGRADATION_WORDS = {
+  "unavailable": "cannot warn",
+  "full": "works fully",
+  "roll sensor lost": "works without the roll sensor",
+  "motion lost": "works, but without a stand-in for the roll sensor",
+  "internal fault": "cannot warn: a check of itself has failed",
+};
 const PACES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 const WINDOWS = [{ seconds: 0, words: "all" }, { seconds: 20, words: "20 s" }, { seconds: 8, words: "8 s" }, { seconds: 3, words: "3 s" }];
-const LIVE_WINDOW_S = 12;
+const LIVE_WINDOWS_S = [4, 8, 12]; // the shortest that holds the drive; then the last one moves on
 
 class Page extends Sheet {
   constructor() {
@@ -23,6 +32,7 @@ class Page extends Sheet {
     this.window = 0;
     this.playing = false;
     this.following = false;
+    this.atRest = false; // of a live drive: paused or over
     this.shownState = "";
     this.scene = new Scene(byId("scene"));
     this.plane = new Plane(byId("plane"), byId("plane-legend"));
@@ -141,8 +151,15 @@ class Page extends Sheet {
   goToEvent(name) {
     const moment = this.recording.events[name];
     if (moment) {
-      this.goTo(moment.time_s);
+      this.goTo(this.recording.timeFrom(moment.time_s));
     }
+  }
+
+  // The warning; without one the lift of two wheels; without that the hardest moment.
+  goToHeart() {
+    const { recording } = this;
+    const moment = recording.events.warning ?? recording.events.two_wheel_lift;
+    this.goTo(moment ? recording.timeFrom(moment.time_s) : recording.hardestTime);
   }
 
   step(rows) {
@@ -266,8 +283,11 @@ class Page extends Sheet {
   chooseSpan() {
     const { recording, view } = this;
     if (this.following) {
-      view.to = Math.max(recording.lastTime, recording.firstTime + LIVE_WINDOW_S);
-      view.from = view.to - LIVE_WINDOW_S;
+      const driven = recording.lastTime - recording.firstTime;
+      const longest = LIVE_WINDOWS_S[LIVE_WINDOWS_S.length - 1];
+      const shown = LIVE_WINDOWS_S.find((each) => each >= driven) ?? longest;
+      view.from = Math.max(recording.firstTime, recording.lastTime - longest);
+      view.to = this.atRest ? Math.max(recording.lastTime, view.from + 0.1) : view.from + shown;
     } else if (this.window === 0 || this.window >= recording.lastTime - recording.firstTime) {
       view.from = recording.firstTime;
       view.to = Math.max(recording.lastTime, recording.firstTime + 0.1);
@@ -303,14 +323,14 @@ class Page extends Sheet {
       if (moment) {
         button.classList.toggle("ahead", moment.time_s > view.time + 1e-9);
         button.dataset.value = String(moment.time_s);
-        button.querySelector("span").textContent = `${event.words} ${moment.time_s.toFixed(3)} s`;
+        button.querySelector("span").textContent = `${event.words} ${moment.time_s.toFixed(2)} s`;
       }
     }
     byId("lead").textContent = this.leadText();
     byId("lead").dataset.value = String(recording.judgement.lead_time_s ?? "");
   }
 
-  showLamp(state, side, words = state + (side === "none" ? "" : ", " + side + " side")) {
+  showLamp(state, side, words = LAMP_WORDS[state] + (side === "none" ? "" : ", " + side + " side")) {
     const lamp = byId("lamp");
     lamp.dataset.state = state;
     lamp.dataset.side = side;
@@ -336,15 +356,17 @@ class Page extends Sheet {
 
   leadText() {
     const { judgement, events } = this.recording;
+    const side = events.warning ? this.recording.raw("side", this.recording.rowFrom(events.warning.time_s)) : "none";
+    const warned = `warned of the ${side} side`;
     if (this.recording.head.lift_off_is_known === false) {
-      return (events.warning ? "warned" : "not warned") + "; whether wheels lifted is not known";
+      return (events.warning ? warned : "not warned") + "; whether wheels lifted is not known";
     }
     if (!events.two_wheel_lift) {
-      return events.warning ? "warned; no two wheels of a side have lifted" : "no two wheels of a side have lifted";
+      return (events.warning ? warned + "; " : "") + "no two wheels of a side have lifted";
     }
     const lift = `two wheels lift at ${events.two_wheel_lift.time_s.toFixed(3)} s`; // the first time; there may be others
     return typeof judgement.lead_time_s === "number"
-      ? `warned ${judgement.lead_time_s.toFixed(3)} s before ${lift}, ${judgement.falling_side} side`
+      ? `warned of the ${judgement.falling_side} side ${judgement.lead_time_s.toFixed(3)} s before ${lift}`
       : `${lift} without a warning of the ${judgement.falling_side ?? "falling"} side`;
   }
 
@@ -384,7 +406,7 @@ class Page extends Sheet {
       return;
     }
     this.shownDiagnosis = key;
-    byId("degradation").textContent = entry ? `degradation: ${entry.degradation}` : "nothing heard yet";
+    byId("degradation").textContent = entry ? DEGRADATION_WORDS[entry.degradation] : "nothing heard yet";
     byId("codes").innerHTML = "";
     const lists = entry ? [[entry.confirmed, "confirmed"], [entry.set.filter((code) => !entry.confirmed.includes(code)), "set"]] : [];
     for (const [codes, status] of lists) {

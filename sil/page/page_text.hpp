@@ -22,4 +22,7 @@ std::string study_with(const std::string& json);
 // Text that page_with() put into a page, of this program or an older one; empty where there is none.
 std::string recording_in(const std::string& page);
 
+// Colour and dash of each index, by its name: index_styles.csv.
+extern const std::string_view index_styles;
+
 }  // namespace sil

@@ -1,6 +1,7 @@
 // Recording: what a run, a replay or a live drive has told, row by row; the columns bear the names of the CSV file.
 const STANDARD_GRAVITY = 9.80665;
 const OVERTURNED_DEG = 41; // 0.6 of the roll angle that ends a run (closed_loop.cpp)
+const LEAST_TURN_G = 0.05;
 const STEEP_DEG = 15; // of a vehicle on two wheels that may come back
 const WHEELS = ["front_left", "front_right", "rear_left", "rear_right"];
 
@@ -94,6 +95,33 @@ class Recording {
       }
     }
     return Math.max(low, 0);
+  }
+
+  // The side of the turn, as a sign; on a straight, where that of a noisy value says nothing, `before`.
+  sideAt(row, before) {
+    const acceleration = this.value("acceleration", row);
+    return Math.abs(acceleration) > LEAST_TURN_G ? Math.sign(acceleration) : before;
+  }
+
+  // The first row from `time` on; the last one after all of them.
+  rowFrom(time) {
+    const row = this.rowAt(time);
+    return this.rows.length > row + 1 && this.time(row) < time - 1e-9 ? row + 1 : row;
+  }
+
+  timeFrom(time) { return this.time(this.rowFrom(time)); }
+
+  // The time of the largest lateral acceleration.
+  get hardestTime() {
+    let hardest = 0;
+    let largest = 0;
+    for (let row = 0; row < this.rows.length; row += 1) {
+      const acceleration = Math.abs(this.value("acceleration", row));
+      if (acceleration > largest) {
+        [hardest, largest] = [row, acceleration];
+      }
+    }
+    return this.rows.length ? this.time(hardest) : 0;
   }
 
   // Between two rows, for pictures that move; texts show the row itself.

@@ -1,4 +1,9 @@
 // Scene: the vehicle from behind. Left is left; a left turn leans the body to the right.
+const ROAD_TEXT_PX = 30;
+const EDGE_PX = 6;
+const TYRE_WIDTH_M = 0.24;
+const roofLoadHeight = (vehicle) => 0.16 + vehicle.roof_load_kg / 900;
+
 class Scene {
   constructor(canvas) { this.canvas = canvas; }
 
@@ -20,18 +25,19 @@ class Scene {
     const vehicle = recording.head.vehicle;
     const radians = Math.PI / 180;
     const tall = vehicle.cg_height_m + vehicle.top_above_cg_m;
-    const scale = Math.min(height / (1.52 * tall), width / (4.0 * vehicle.half_width_m));
-    pen.save();
-    pen.translate(width / 2, height - 30);
-    pen.rotate(at("bank") * radians);
-    this.drawRoad(pen, width);
-    pen.scale(scale, -scale);
-
     // In metres, z up, the road at zero; positive angles are clockwise for the viewer, hence the sign.
     const lifted = WHEELS.map((wheel) => recording.has("load_" + wheel) && recording.value("load_" + wheel, view.row) <= (recording.head.vehicle.up_below_n ?? 0) * 0.001);
     const front = this.axleOf(vehicle, at("gap_front_left"), at("gap_front_right"));
     const rear = this.axleOf(vehicle, at("gap_rear_left"), at("gap_rear_right"));
     const roll = -at("roll") * radians;
+    const bank = at("bank") * radians;
+    const upright = Math.min(height / (1.52 * tall), width / (4.0 * vehicle.half_width_m));
+    const { scale, shift } = this.fit(this.corners(vehicle, [front, rear], roll), bank, upright, width, height - ROAD_TEXT_PX);
+    pen.save();
+    pen.translate(width / 2 + shift, height - ROAD_TEXT_PX);
+    pen.rotate(bank);
+    this.drawRoad(pen, width);
+    pen.scale(scale, -scale);
     this.drawWheels(pen, vehicle, front, lifted[0], lifted[1], 0.55);
     this.drawBody(pen, vehicle, rear, roll);
     this.drawWheels(pen, vehicle, rear, lifted[2], lifted[3], 1);
@@ -42,6 +48,27 @@ class Scene {
     this.drawTexts(pen, width, height, at("bank"), at("acceleration"), recording.has("acceleration"));
     this.canvas.setAttribute("aria-label", `The vehicle from behind: roll ${at("roll").toFixed(1)} degrees, ` +
       (lifted.some((each) => each) ? WHEELS.filter((_, index) => lifted[index]).join(", ").replaceAll("_", " ") + " lifted" : "all wheels on the road"));
+  }
+
+  // Those of body and wheels, in metres.
+  corners(vehicle, axles, roll) {
+    const { half_width_m: half, top_above_cg_m: top, bottom_below_cg_m: bottom, cg_height_m: cg, wheel_radius_m: radius } = vehicle;
+    const turned = (axle, angle, x, z) =>
+      [axle.shift + Math.cos(angle) * x - Math.sin(angle) * z, axle.height + Math.sin(angle) * x + Math.cos(angle) * z];
+    const outer = 0.5 * vehicle.track_width_m + TYRE_WIDTH_M / 2;
+    const roof = cg + top - radius + (vehicle.roof_load_kg > 0 ? roofLoadHeight(vehicle) : 0);
+    const box = (axle, angle, x, low, high) => [[-x, low], [x, low], [-x, high], [x, high]].map(([a, b]) => turned(axle, angle, a, b));
+    return box(axles[1], roll, half, cg - bottom - radius, roof).concat(...axles.map((axle) => box(axle, axle.angle, outer, -radius, radius)));
+  }
+
+  // A scale and a shift with which all corners are in the panel; a vehicle that stands is in the middle.
+  fit(corners, bank, largest, width, height) {
+    const across = corners.map(([x, z]) => x * Math.cos(bank) + z * Math.sin(bank));
+    const up = Math.max(...corners.map(([x, z]) => z * Math.cos(bank) - x * Math.sin(bank)));
+    const [left, right] = [Math.min(...across), Math.max(...across)];
+    const scale = Math.min(largest, (height - EDGE_PX) / up, (width - 2 * EDGE_PX) / (right - left));
+    const room = width / 2 - EDGE_PX;
+    return { scale, shift: Math.max(-room - scale * left, 0) + Math.min(room - scale * right, 0) };
   }
 
   // Place of the axle's middle and its lean, by the gaps below its wheels.
@@ -66,7 +93,7 @@ class Scene {
   drawWheels(pen, vehicle, axle, leftLifted, rightLifted, alpha) {
     const half = 0.5 * vehicle.track_width_m;
     const radius = vehicle.wheel_radius_m;
-    const wide = 0.24;
+    const wide = TYRE_WIDTH_M;
     pen.save();
     pen.globalAlpha = alpha;
     pen.translate(axle.shift, axle.height);
@@ -95,7 +122,7 @@ class Scene {
     pen.translate(axle.shift, axle.height);
     pen.rotate(roll);
     if (vehicle.roof_load_kg > 0) {
-      const size = 0.16 + vehicle.roof_load_kg / 900;
+      const size = roofLoadHeight(vehicle);
       pen.fillStyle = colourOf("--orange");
       pen.beginPath();
       pen.roundRect(-0.55 * half, roof + 0.03, 1.1 * half, size, 0.05);

@@ -3,9 +3,10 @@ const page = new Page();
 const given = JSON.parse(byId("recording").textContent);
 if (given) {
   page.show(new Recording(given), false);
-  const moment = Number(location.hash.slice(1)); // report.html#2.004
-  if (moment > 0) {
-    page.goTo(moment);
+  if (location.hash.length > 1) { // report.html#2.004
+    page.goTo(Number(location.hash.slice(1)) || 0);
+  } else {
+    page.goToHeart();
   }
 } else {
   page.driver = new Driver(page);

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "sil/page/json_text.hpp"
+#include "sil/page/page_recording.hpp"
 #include "sil/page/page_text.hpp"
 
 namespace sil {
@@ -48,7 +50,7 @@ Json json_of(const StudyAxis& axis, bool is_y) {
 }
 
 Json json_of(const StudyLine& line) {
-    static constexpr const char* styles[] = {"line", "mark", "cloud"};
+    static constexpr const char* styles[] = {"line", "mark", "cloud", "band"};
     Json json{{"words", line.words},
               {"colour", line.colour},
               {"dash", line.dash},
@@ -68,14 +70,36 @@ Json json_of(const StudyLine& line) {
 
 }  // namespace
 
-StudyLine study_line(const std::string& words, std::size_t place) {
-    static const std::vector<std::string> colours{"--blue",   "--vermilion", "--green", "--purple",
-                                                  "--orange", "--sky",       "--quiet"};
-    static const std::vector<std::vector<int>> dashes{{}, {6, 3}, {2, 3}};
+StudyLine plain_line(const std::string& words, const std::string& colour, double width) {
     StudyLine line;
     line.words = words;
-    line.colour = colours[place % colours.size()];
-    line.dash = dashes[(place / colours.size()) % dashes.size()];
+    line.colour = colour;
+    line.width = width;
+    return line;
+}
+
+StudyLine measured_line(const std::string& words) {
+    return plain_line(words, "--sky", 2.5);
+}
+
+StudyLine predicted_line(const std::string& words) {
+    StudyLine line = plain_line(words, "--vermilion", 2.0);
+    line.dash = {6, 3};
+    return line;
+}
+
+StudyLine index_line(const std::string& index) {
+    static const std::vector<std::vector<int>> dashes{{}, {6, 3}, {2, 3}};
+    StudyLine line = plain_line(index, "--quiet", 2.0);
+    line.dash = dashes[2];
+    std::istringstream rows{std::string{index_styles}};
+    for (std::string row; std::getline(rows, row);) {
+        const std::vector<std::string> cells = cells_of(row);
+        if (cells.at(0) == index) {
+            line.colour = "--" + (cells.at(1) == "grey" ? "quiet" : cells.at(1));
+            line.dash = dashes.at(std::stoul(cells.at(2)) - 1U);
+        }
+    }
     return line;
 }
 

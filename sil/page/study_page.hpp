@@ -21,12 +21,13 @@ struct StudyAxis {
     std::optional<double> to{};
 };
 
-// x and y, and of some charts a third value that is read off with them, in brackets. A y that is not finite
-// interrupts the line.
+// x and y, and of some charts a third value that is read off with them, in brackets or as the band's end. A y
+// that is not finite interrupts the line.
 using StudyPoint = std::vector<double>;
 
 struct StudyLine {
-    enum class Style { line, mark, cloud };  // a mark: few points; a cloud: many, in any order, not read off
+    // A mark: few points. A cloud: many, in any order, not read off. A band: between y and the third value.
+    enum class Style { line, mark, cloud, band };
 
     std::string words{};
     std::string colour{"--blue"};  // of style.css
@@ -53,8 +54,17 @@ struct StudyChart {
     StudyReading reading{StudyReading::nearest};
 };
 
-// The colours and dashes of many lines, one after the other.
-StudyLine study_line(const std::string& words, std::size_t place);
+// Words in one colour.
+StudyLine plain_line(const std::string& words, const std::string& colour, double width);
+
+// A signal as it was measured, and what a model makes of it. The latter lies on top; dashed, it leaves the
+// former in sight where both are the same.
+StudyLine measured_line(const std::string& words);
+StudyLine predicted_line(const std::string& words);
+
+// With colour and dash of the index, which are the same in every chart; an index without them is grey and
+// dotted.
+StudyLine index_line(const std::string& index);
 
 class StudyPage {
  public:

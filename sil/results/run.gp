@@ -2,6 +2,7 @@
 width = 1100
 height = 1240
 load scripts."/picture_style.gp"
+load scripts."/index_style.gp"
 load "events.gp"
 
 # After two-wheel lift-off the vehicle is lost: the picture ends soon after, so that the moments before it have room.
@@ -77,7 +78,7 @@ plot data using "time_s":(in_g("sensor_lateral_acceleration_mps2")) with lines l
      data using "time_s":(in_g("true_lateral_acceleration_mps2")) with lines linewidth 2 linecolor rgb blue \
          title "a_y, true", \
      data using "time_s":(threshold_in_g(0)) with lines linewidth 2 \
-         linecolor rgb vermilion title "RSI threshold a_y*", \
+         dashtype 2 linecolor rgb vermilion title "RSI threshold a_y*", \
      (reaches_left || !reaches_right ? ssf : NaN) with lines linewidth 1.8 dashtype ssf_dash linecolor rgb ssf_colour \
          title "SSF", \
      (reaches_right ? -ssf : NaN) with lines linewidth 1.8 dashtype ssf_dash linecolor rgb ssf_colour notitle
@@ -111,7 +112,7 @@ plot data using "time_s":"ecu_state_number" axes x1y2 with steps linewidth 2 lin
          title "state (right axis)", \
      data using "time_s":"ecu_warning_level" with lines linewidth 2 linecolor rgb blue \
          title "warning level", \
-     data using "time_s":"ecu_rsi" with lines linewidth 1 linecolor rgb vermilion \
+     data using "time_s":"ecu_rsi" with lines linewidth 1 dashtype index_dash("published") linecolor rgb index_colour("published") \
          title "RSI as published", \
      1 with lines linewidth 1.5 dashtype "-" linecolor rgb grey title "level 1"
 unset y2tics

@@ -48,7 +48,7 @@ if (reaches_right) { set arrow from -ssf, graph 0 to -ssf, graph 1 nohead linewi
 
 # The threshold is traced by the run: each row of the data gives a point (a_y*, roll).
 plot data using (threshold_in_g(0)):"true_roll_angle_deg" with lines linewidth 2.5 \
-         linecolor rgb vermilion title "RSI threshold a_y*", \
+         dashtype 2 linecolor rgb vermilion title "RSI threshold a_y*", \
      data using (in_g("true_lateral_acceleration_mps2")):"true_roll_angle_deg" with lines linewidth 2.5 \
          linecolor rgb blue title "vehicle", \
      keyentry with lines linewidth 2 dashtype ssf_dash linecolor rgb ssf_colour title sprintf("SSF %.3f g", ssf), \

@@ -69,7 +69,7 @@ def make(options):
                  "right, not when yours is warned. Give --vehicle-data FILE, or --parameters FILE.\n")
     text += f"\nCalibration: {parameters}\nSigns and signals: {signals}\n"
     file_io.write(output / "verdict.md", text)
-    file_io.write(output / "verdict.html", verdict_text.page(text))
+    file_io.write(output / "verdict.html", verdict_text.page(text, verdict_text.pictures(made, output)))
     print(f"\n{text}\nThe same as a page: {output / 'verdict.html'}")
 
 

@@ -42,8 +42,7 @@ StudyChart chart_of_leads(const CampaignReport& report) {
     chart.reading = StudyReading::next;
     for (std::size_t place = 0U; place < report.all.judgements.size(); ++place) {
         const Judgement& judgement = report.all.judgements[place];
-        StudyLine line =
-            place == 0U ? line_of_warning(StudyLine::Style::line) : study_line(judgement.name, place - 1U);
+        StudyLine line = place == 0U ? line_of_warning(StudyLine::Style::line) : index_line(judgement.name);
         for (const LeadShare& share : lead_shares(judgement, report.all.lifted)) {
             if (!line.points.empty() && line.points.back()[0] == share.lead_s) {
                 line.points.pop_back();  // all of them have at least this lead
@@ -74,7 +73,7 @@ StudyChart chart_of_detection(const CampaignReport& report, const std::string& n
     }
     chart.lines.push_back(point);
     for (std::size_t index = 0U; index < report.curves.size(); ++index) {
-        StudyLine line = study_line(report.all.judgements[index + 1U].name, index);
+        StudyLine line = index_line(report.all.judgements[index + 1U].name);
         for (const CurvePoint& each : distinct_points(report.curves[index])) {
             line.points.push_back({percent(each.false_alarms), percent(each.*of_index), each.threshold});
         }

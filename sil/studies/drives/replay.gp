@@ -1,7 +1,8 @@
 # A replayed drive over time: four panels with one time axis, vertical lines at the events.
 width = 1100
 height = 1000
-load scripts."/results/picture_style.gp"
+load scripts."/picture_style.gp"
+load scripts."/index_style.gp"
 load "events.gp"
 data = "indices.csv"
 
@@ -91,7 +92,7 @@ if (has_compensated_roll) { stats data using "time_s":"compensated_roll_angle_de
 roll_margin = 0.08 * (highest_roll - lowest_roll)
 set yrange [lowest_roll - roll_margin:highest_roll + roll_margin]
 plot data using "time_s":(shown(has_roll, "sensor_roll_angle_deg")) with lines linewidth 2 \
-         linecolor rgb blue title titled(has_roll, "sensor"), \
+         linecolor rgb sky_blue title titled(has_roll, "sensor"), \
      data using "time_s":(shown(has_fixed_roll, "fixed_model_roll_angle_deg")) with lines linewidth 1.5 dashtype 2 \
          linecolor rgb orange title titled(has_fixed_roll, "fixed roll centre"), \
      data using "time_s":(shown(has_compensated_roll, "compensated_roll_angle_deg")) with lines linewidth 1.5 \
@@ -103,11 +104,12 @@ set bmargin at screen panel_bottom(2)
 set ylabel "Level, |LTR|"
 set yrange [0:1.5]
 plot data using "time_s":(has_ltr ? abs(column("measured_load_transfer_ratio")) : far_away) with lines linewidth 1.5 \
-         linecolor rgb black title titled(has_ltr, "|LTR|, wheel loads"), \
-     data using "time_s":(shown(has_bank_free, "rsi_bank_free")) with lines linewidth 1.5 dashtype 2 linecolor rgb orange \
+         linecolor rgb index_colour("true_load_transfer") title titled(has_ltr, "|LTR|, wheel loads"), \
+     data using "time_s":(shown(has_bank_free, "rsi_bank_free")) with lines linewidth 1.5 dashtype index_dash("bank_free") linecolor rgb index_colour("bank_free") \
          title titled(has_bank_free, "RSI, bank-free"), \
-     data using "time_s":(shown(has_rsi, "rsi")) with lines linewidth 1.5 linecolor rgb sky_blue title titled(has_rsi, "RSI"), \
-     data using "time_s":(shown(has_level, "warning_level")) with lines linewidth 2 linecolor rgb vermilion \
+     data using "time_s":(shown(has_rsi, "rsi")) with lines linewidth 1.5 dashtype index_dash("published") linecolor rgb index_colour("published") \
+         title titled(has_rsi, "RSI"), \
+     data using "time_s":(shown(has_level, "warning_level")) with lines linewidth 2 linecolor rgb index_colour("predicted_load_transfer") \
          title titled(has_level, "level that warns"), \
      1 with lines linewidth 1.5 dashtype "-" linecolor rgb grey notitle
 

@@ -88,12 +88,7 @@ Table table_of_drives(const Identification& result, const std::vector<FittedDriv
 
 // A line of one drive; left out where none of its values is known.
 template <typename Value>
-void add_line(StudyChart& chart, const FittedDrive& drive, const char* words, const char* colour,
-              double width, const Value& value) {
-    StudyLine line;
-    line.words = words;
-    line.colour = colour;
-    line.width = width;
+void add_line(StudyChart& chart, const FittedDrive& drive, StudyLine line, const Value& value) {
     const std::vector<RollSample>& samples = drive.drive->samples;
     const std::size_t stride = chart_stride(samples.size());
     bool is_known = false;
@@ -131,36 +126,36 @@ void add_drive(StudyPage& page, const FittedDrive& drive, std::size_t number) {
     StudyChart roll = chart_over_time(name("roll"), "Roll angle", "roll angle", "deg", 3);
     roll.note =
         "Predicted: by the fitted model alone, from the measured lateral force and the first angle and rate.";
-    add_line(roll, drive, "measured", "--sky", 4.0,
+    add_line(roll, drive, measured_line("measured"),
              [](Sample sample, Fitted) { return sample.roll_angle_rad * degrees_per_radian; });
-    add_line(roll, drive, "predicted", "--vermilion", 1.5,
+    add_line(roll, drive, predicted_line("predicted"),
              [](Sample, Fitted fitted) { return fitted.predicted_roll_angle_rad * degrees_per_radian; });
     show(roll);
     StudyChart load =
         chart_over_time(name("load"), "Load transfer", "half track times (right - left)", "kN m", 3);
-    add_line(load, drive, "of the wheels", "--sky", 4.0,
+    add_line(load, drive, measured_line("of the wheels"),
              [](Sample sample, Fitted) { return 0.001 * sample.load_moment_nm; });
     if (drive.drive->has_wheel_loads) {
-        add_line(load, drive, "as the component has it", "--vermilion", 1.5,
+        add_line(load, drive, predicted_line("as the component has it"),
                  [](Sample, Fitted fitted) { return 0.001 * fitted.fitted_load_moment_nm; });
     }
     show(load);
     StudyChart response = chart_over_time(name("response"), "Lateral response", "acceleration", "m/s^2", 3);
-    add_line(response, drive, "A, measured", "--sky", 4.0,
+    add_line(response, drive, measured_line("A, measured"),
              [](Sample sample, Fitted) { return sample.parallel_mps2; });
-    add_line(response, drive, "asked for by the steering", "--quiet", 1.5,
+    add_line(response, drive, plain_line("asked for by the steering", "--quiet", 1.5),
              [](Sample, Fitted fitted) { return fitted.steering_acceleration_mps2; });
-    add_line(response, drive, "response to it, as fitted", "--vermilion", 1.5,
+    add_line(response, drive, predicted_line("response to it, as fitted"),
              [](Sample, Fitted fitted) { return fitted.response_mps2; });
     if (response.lines.size() > 1U) {
         show(response);
     }
     StudyChart moment = chart_over_time(name("moment"), "Roll moment", "moment", "kN m", 3);
-    add_line(moment, drive, "m_s H f, measured", "--sky", 4.0,
+    add_line(moment, drive, measured_line("m_s H f, measured"),
              [](Sample, Fitted fitted) { return 0.001 * fitted.moment_nm; });
-    add_line(moment, drive, "M + c p + Ixx p', fitted", "--vermilion", 1.5,
+    add_line(moment, drive, predicted_line("M + c p + Ixx p', fitted"),
              [](Sample, Fitted fitted) { return 0.001 * fitted.fitted_moment_nm; });
-    add_line(moment, drive, "residual", "--purple", 1.2,
+    add_line(moment, drive, plain_line("residual", "--purple", 1.2),
              [](Sample, Fitted fitted) { return 0.001 * (fitted.moment_nm - fitted.fitted_moment_nm); });
     show(moment);
 }

@@ -2,6 +2,7 @@
 width = 1000
 height = 620
 load scripts."/picture_style.gp"
+load scripts."/index_style.gp"
 set datafile separator whitespace
 unset datafile columnheaders
 
@@ -12,11 +13,8 @@ set yrange [40:100.5]
 set xlabel "alarms in runs with a largest |LTR| of 0.8 to 0.9 [%]"
 set ylabel "two-wheel lift-offs warned of at least 0.2 s before [%]"
 set key bottom right Left reverse noenhanced samplen 2.5 spacing 1.15
-array colours[7] = [blue, vermilion, orange, green, purple, sky_blue, black]
-colour_of(i) = colours[(i - 1) % 7 + 1]
-dash_of(i) = (i - 1) / 7 + 1
 # The first block is the firmware as it is: one point.
 plot for [i = 1:STATS_blocks - 1] curves index i using 1:2 with linespoints linewidth 2 pointtype 7 pointsize 0.5 \
-         dashtype dash_of(i) linecolor rgb colour_of(i) title columnheader(1), \
+         dashtype other_dash(i) linecolor rgb other_colour(i) title columnheader(1), \
      curves index 0 using 1:2 with points pointtype 6 pointsize 2.5 linewidth 2.5 linecolor rgb black \
          title columnheader(1)

@@ -4,8 +4,10 @@ format = "png"
 width = 1000
 height = 520
 load scripts."/picture_style.gp"
+load scripts."/index_style.gp"
 data = run."/signals.csv"
-colours(n) = word("#000000 #d55e00 #0072b2 #009e73 #cc79a7 #e69f00 #56b4e9 #8c8c8c", int(n) % 8 + 1)
+cell(n, place) = system(sprintf("sed -n '%dp' '%s' | cut -d , -f %d", n + 2, marks, place))
+colour_of(what) = what eq "one_wheel" ? one_wheel_colour : what eq "two_wheels" ? two_wheel_colour : index_colour(what)
 set multiplot layout 1,2 title "Fishhook 1a, counter-steer: when each index says \"warn\" (a right turn: everything is negative)" font ",12" \
     margins 0.075,0.985,0.24,0.9 spacing 0.1,0.1
 stats marks using 2 nooutput name "M"
@@ -17,11 +19,11 @@ set ylabel "Roll rate [deg/s]"
 set yrange [-45:0]
 plot data using (shown(column("true_roll_angle_deg"))):"true_roll_rate_degps" with lines linewidth 2 linecolor rgb grey notitle, \
      for [n = 0:M_records - 1] marks using 3:4 every ::n::n with points pointtype (n % 8 + 4) pointsize 1.7 linewidth 2 \
-         linecolor rgb colours(n) title system(sprintf("sed -n '%dp' '%s' | cut -d , -f 1", n + 2, marks))
+         linecolor rgb colour_of(cell(n, 6)) title cell(n, 1)
 set ylabel "Lateral acceleration [g]"
 set yrange [-1:-0.5]
 plot data using (shown(column("true_roll_angle_deg"))):(in_g("true_lateral_acceleration_mps2")) with lines linewidth 2 linecolor rgb grey notitle, \
      for [n = 0:M_records - 1] marks using 3:5 every ::n::n with points pointtype (n % 8 + 4) pointsize 1.7 linewidth 2 \
-         linecolor rgb colours(n) notitle
+         linecolor rgb colour_of(cell(n, 6)) notitle
 unset multiplot
 unset output

@@ -403,14 +403,14 @@ def marks(folder):
     """For the picture of Fig. 15: when each index says "warn" in the counter-steer, and where the vehicle is then."""
     run = Run(folder / "fishhook-1a-published")
     turn = second_turn_s(run)
-    moments = [("OWLO", run.one_wheel(turn)), ("TWLO", run.two_wheels(turn))]
+    moments = [("OWLO", run.one_wheel(turn), "one_wheel"), ("TWLO", run.two_wheels(turn), "two_wheels")]
     names = {"energy": "W", "rollover_index": "RI", "published": "RSI", "dynamic_stability": "DSI -",
              "dynamic_stability_late": "DSI +", "static_stability_factor": "SSF"}
-    moments += [(name, run.first(run[f"level_{column}"], begin_s=turn)) for column, name in names.items()]
-    lines = ["name,time_s,roll_deg,roll_rate_degps,ay_g"]
-    for name, time in sorted((m for m in moments if m[1] is not None), key=lambda m: m[1]):
+    moments += [(name, run.first(run[f"level_{column}"], begin_s=turn), column) for column, name in names.items()]
+    lines = ["name,time_s,roll_deg,roll_rate_degps,ay_g,index"]
+    for name, time, index in sorted((m for m in moments if m[1] is not None), key=lambda m: m[1]):
         place = (run.at(run[c], time) for c in ("true_roll_angle_deg", "true_roll_rate_degps"))
-        lines.append(f"{name} {time:.3f} s,{time:.9g}," + ",".join(f"{v:.6f}" for v in place) + f",{run.at(run.ay, time):.6f}")
+        lines.append(f"{name} {time:.3f} s,{time:.9g}," + ",".join(f"{v:.6f}" for v in place) + f",{run.at(run.ay, time):.6f},{index}")
     file_io.write(folder / "marks.csv", "\n".join(lines) + "\n")
 
 

@@ -120,12 +120,7 @@ Table table_of_drives(const Validation& validation) {
     return table;
 }
 
-StudyLine line_of(const DriveComparison& comparison, const std::vector<double>& values, const char* words,
-                  const char* colour, double width) {
-    StudyLine line;
-    line.words = words;
-    line.colour = colour;
-    line.width = width;
+StudyLine with_values(StudyLine line, const DriveComparison& comparison, const std::vector<double>& values) {
     for (std::size_t place = 0U; place < values.size(); place += chart_stride(values.size())) {
         line.points.push_back({comparison.time_s[place], values[place]});
     }
@@ -140,10 +135,15 @@ StudyChart chart_of(const DriveComparison& comparison, const ComparedQuantity& q
                         : quantity.words;
     chart.x = {"time", "s", 2, {}, {}};
     chart.y = {quantity.words, quantity.unit, 3, {}, {}};
-    chart.lines = {line_of(comparison, quantity.measured, "measured", "--sky", 4.0),
-                   line_of(comparison, quantity.corridor.lower, "lower bound", "--quiet", 1.0),
-                   line_of(comparison, quantity.corridor.upper, "upper bound", "--quiet", 1.0),
-                   line_of(comparison, quantity.predicted, "predicted", "--vermilion", 1.5)};
+    StudyLine corridor =
+        with_values(plain_line("corridor", "--quiet", 8.0), comparison, quantity.corridor.lower);
+    corridor.style = StudyLine::Style::band;
+    for (std::size_t point = 0U; point < corridor.points.size(); ++point) {
+        corridor.points[point].push_back(
+            quantity.corridor.upper[point * chart_stride(quantity.corridor.upper.size())]);
+    }
+    chart.lines = {corridor, with_values(measured_line("measured"), comparison, quantity.measured),
+                   with_values(predicted_line("predicted"), comparison, quantity.predicted)};
     return chart;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "sil/page/study_page.hpp"
 #include "sil/studies/campaign/report.hpp"
 #include "tests/sil/campaign/small_campaign.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -35,6 +36,39 @@ TEST(CampaignPicture, DetectionAndLeadsAreDrawn) {
     for (const std::string picture : {"detection", "leads"}) {
         EXPECT_EQ(text_of(folder.path() / (picture + ".png")).substr(0, 8), "\x89PNG\r\n\x1a\n");
         EXPECT_THAT(text_of(folder.path() / (picture + ".svg")), testing::HasSubstr("a_level"));
+    }
+}
+
+// `count` times in `text`.
+std::size_t times(const std::string& text, const std::string& part) {
+    std::size_t count = 0U;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1U)) {
+        ++count;
+    }
+    return count;
+}
+
+TEST(CampaignPicture, ShowsTheFirmwaresWarningHoweverManyAlarmsItGives) {
+    const ScratchFolder folder;
+    sil::RowTable rows = table();
+    const HandMadeRun alarmed{{}, 0.8, {}, 1U, 0.4, 0.4, 0.4, {}};
+    rows.runs.push_back(recorded(alarmed));
+    sil::write_report(sil::make_report(rows, 3U), folder.path());
+    ASSERT_EQ(draw(folder.path()), 0) << text_of(folder.path() / "messages");
+    // Half of the calm runs: once in the key, and in each of three panels.
+    EXPECT_EQ(times(text_of(folder.path() / "detection.svg"), "<use xlink:href='#gpPt5' transform"), 4U);
+}
+
+TEST(CampaignPicture, HasTheColoursOfThePage) {
+    const ScratchFolder folder;
+    sil::RowTable rows = table();
+    rows.index_names = {"published"};
+    sil::write_report(sil::make_report(rows, 2U), folder.path());
+    ASSERT_EQ(draw(folder.path()), 0) << text_of(folder.path() / "messages");
+    EXPECT_EQ(sil::index_line("published").colour, "--purple");
+    for (const std::string picture : {"detection", "leads"}) {
+        EXPECT_THAT(text_of(folder.path() / (picture + ".svg")), testing::HasSubstr("rgb(204, 121, 167)"))
+            << picture;
     }
 }
 

@@ -13,6 +13,7 @@ from live_program import PROJECT, live_drive
 
 sys.path.insert(0, str(PROJECT / "tests/sil/page"))
 
+import screens  # noqa: E402
 from browser import browser  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
@@ -72,6 +73,7 @@ class LivePage(unittest.TestCase):
         self.end()
         summary = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
         self.assertEqual(summary["lead_time_s"], lead)
+        self.assertEqual(summary["noise"], "noise")
         self.assertEqual(summary["warning_time_s"], events["warning"]["time_s"])
         written = self.rows()
         self.assertEqual(float(written[-1]["time_s"]), seen["rows"][-1][0])
@@ -93,10 +95,11 @@ class LivePage(unittest.TestCase):
         self.tab.key("f")
         self.tab.wait_for("document.getElementById('fault-now').textContent === 'roll angle: not available'", LONG_S)
         self.tab.wait_for("document.getElementById('codes').textContent.includes('roll angle')", LONG_S)
-        self.tab.wait_for("document.getElementById('degradation').textContent.includes('roll sensor lost')", LONG_S)
+        self.tab.wait_for("document.getElementById('degradation').textContent.includes('without the roll sensor')", LONG_S)
         self.tab.key("g")
         self.tab.wait_for("document.getElementById('fault-now').textContent === 'all sensors good'", LONG_S)
-        self.tab.wait_for("document.getElementById('degradation').textContent.includes('full')", LONG_S)
+        self.tab.wait_for("document.getElementById('degradation').textContent.includes('works fully')", LONG_S)
+        self.assertEqual(self.tab.run("document.getElementById('heals').textContent"), "3")
         self.assertEqual(self.tab.complaints, [])
 
     def test_brakes_on_a_warning_by_key_and_button(self):
@@ -118,6 +121,7 @@ class LivePage(unittest.TestCase):
         self.tab.key("p")
         self.tab.wait_for("document.getElementById('hold').getAttribute('aria-pressed') === 'true'", LONG_S)
         before = self.time()
+        self.tab.wait_for("page.view.to === page.recording.lastTime && page.view.from === page.recording.firstTime", LONG_S)
         self.tab.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
         self.assertEqual(self.time(), before)
         self.tab.run("(() => { const time = document.getElementById('time'); time.value = 3;"
@@ -129,6 +133,22 @@ class LivePage(unittest.TestCase):
         self.assertEqual(self.tab.run("page.view.row"), 3)
         self.tab.key("l")
         self.tab.wait_for("page.view.time === page.recording.lastTime", LONG_S)
+        self.assertEqual(self.tab.complaints, [])
+
+    def test_lamp_faults_and_keys_are_in_sight_together(self):
+        self.tab.run("(() => { const list = document.getElementById('fault-place'); list.selectedIndex = 3;"
+                     "list.dispatchEvent(new Event('change')); list.blur(); })()")
+        self.tab.key("f")
+        self.tab.wait_for("document.getElementById('degradation').textContent.includes('without the roll sensor')", LONG_S)
+        for width in screens.each_screen(self.tab):
+            self.tab.wait_for(f"innerWidth === {width}")
+            self.tab.wait_for("page.recording.length > 20")
+            more = ["#degradation"] if width > 390 else []
+            screens.expect_layout(self, self.tab, ["#lamp", "#lead", "#scene", "#fault-place", "#fault-kind", "#fault-set",
+                                                   "#fault-clear", "#fault-now", "#heals", "#brake", "#hint", "#steering", "#again",
+                                                   *more], "#controls")
+            for key in "\u2190\u2192\u2191\u2193":
+                self.assertIn(key, self.tab.run("document.getElementById('hint').innerText"))
         self.assertEqual(self.tab.complaints, [])
 
     def test_fits_a_phone(self):

@@ -71,10 +71,10 @@ class Browser:
                 raise PageError(f"after {limit_s} s not true: {condition}; {self.complaints}")
             time.sleep(0.01)
 
-    def open(self, address):
+    def open(self, address, is_ready="document.body?.dataset.ready === 'yes'"):
         self.call("Page.navigate", url="about:blank")
         self.call("Page.navigate", url=str(address))
-        self.wait_for(f"location.href.startsWith({json.dumps(str(address))}) && document.body?.dataset.ready === 'yes'")
+        self.wait_for(f"location.href.startsWith({json.dumps(str(address))}) && {is_ready}")
 
     def size(self, width, height, phone=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2 if phone else 1,

@@ -101,6 +101,8 @@ class ReplayReport(unittest.TestCase):
     def test_each_row_is_that_of_the_file(self):
         self.open("signals")
         rows = rows_of(self.folder / "signals/indices.csv")
+        self.assertEqual(self.text("lamp-text"), "warning, right side")
+        self.tab.key("Home")
         self.assertEqual(self.text("time-text"), f"{float(rows[0]['time_s']):.2f} s")
         self.assertEqual(self.tab.run("document.getElementById('time').max"), str(len(rows) - 1))
         lifted = set()
@@ -146,10 +148,11 @@ class ReplayReport(unittest.TestCase):
         self.assertTrue(self.is_hidden("[data-strip=steering]"))
         self.assertTrue(self.is_hidden("#values [data-quantity=speed]"))
         self.assertFalse(self.is_hidden("#scene"))
-        self.assertEqual(self.text("lead"), "warned; whether wheels lifted is not known")
+        self.assertEqual(self.text("lead"), "warned of the right side; whether wheels lifted is not known")
         self.assertIn("Not recorded, and not shown: steering wheel angle, speed, bank of the road, wheel loads.",
                       self.text("remarks"))
         self.assertIn("Whether wheels lifted is not known", self.text("remarks"))
+        self.seek(0)
         self.expect_row(rows_of(self.folder / "bare/indices.csv")[0], ("acceleration", "level", "roll"))
         self.open("signals")
         self.assertFalse(self.is_hidden("#loads"))

@@ -4,12 +4,15 @@ Use: report_test.py RSI_SIL
 """
 import csv
 import json
+import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
+import screens
 from browser import browser
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
@@ -125,9 +128,10 @@ class Report(unittest.TestCase):
         for event in ("warning", "one_wheel_lift", "two_wheel_lift", "ssf_crossing"):
             self.assertEqual(float(moments[event]), self.summary[event + "_time_s"])
         self.assertEqual(self.seen()["lead"],
-                         f"warned {self.summary['lead_time_s']:.3f} s before two wheels lift at "
-                         f"{self.summary['two_wheel_lift_time_s']:.3f} s, right side")
-        self.assertEqual(self.seen()["announced"], "")
+                         f"warned of the right side {self.summary['lead_time_s']:.3f} s before two wheels lift at "
+                         f"{self.summary['two_wheel_lift_time_s']:.3f} s")
+        self.tab.key("Home")
+        self.assertEqual((self.seen()["lamp"], self.seen()["announced"]), ("cannot warn", ""))
         self.tab.run("document.querySelector('[data-event=warning]').click()")
         self.assertEqual(self.seen()["announced"], "warning, right side")
 
@@ -158,6 +162,66 @@ class Report(unittest.TestCase):
                 self.assertGreaterEqual(min(numbers), low - 1e-6)
                 self.assertLessEqual(max(numbers), high + 1e-6)
 
+    def test_opens_at_the_warning(self):
+        for folder, rows, side in ((self.folder, self.rows, "right"), (self.mirror, self.mirror_rows, "left")):
+            self.open(folder)
+            self.expect_row(rows, next(number for number, each in enumerate(rows) if each["ecu_state"] == "warning"))
+            self.assertEqual(self.seen()["lamp"], f"warning, {side} side")
+
+    def show(self, columns, rows, events):
+        self.tab.run(f"(() => {{ page.show(new Recording({{ ...page.recording.head, columns: {json.dumps(columns)}, "
+                     f"rows: {json.dumps(rows)}, events: {json.dumps(events)} }}), false); page.goToHeart(); }})()")
+
+    def test_opens_without_a_warning_where_wheels_lift_or_at_the_hardest_moment(self):
+        self.open()
+        columns = ["time_s", "true_lateral_acceleration_mps2", "ecu_state", "ecu_side"]
+        rows = [[0, 0, "ready", "none"], [1, -5, "ready", "none"], [2, None, "ready", "none"], [3, 4, "ready", "none"]]
+        for events, row in (({"two_wheel_lift": {"time_s": 2.5}}, 3), ({}, 1)):
+            self.show(columns, rows, events)
+            self.assertEqual(self.tab.run("page.view.row"), row)
+        self.assertEqual(self.seen()["lead"], "no two wheels of a side have lifted")
+
+    def test_a_warning_without_a_lift_off_names_its_side(self):
+        self.open()
+        self.show(["time_s", "ecu_state", "ecu_side"], [[0, "ready", "none"], [1, "warning", "left"], [2, "ready", "none"]],
+                  {"warning": {"time_s": 1}})
+        self.assertEqual(self.seen()["lead"], "warned of the left side; no two wheels of a side have lifted")
+
+    def test_on_a_straight_noise_does_not_move_the_threshold_to_the_other_side(self):
+        self.open()
+        self.show(["time_s", "true_lateral_acceleration_mps2", "ecu_lateral_acceleration_threshold_mps2"],
+                  [[0, 0.1, 8], [1, -0.1, -8], [1.5, -0.1, -8], [2, 5, 8], [3, -0.1, -8], [4, -5, -8], [5, 0.1, 8]], {})
+        self.assertEqual(self.tab.run("page.recording.rows.reduce((sides, _, row) =>"
+                                      "[...sides, page.recording.sideAt(row, sides.at(-1))], [1]).join()"), "1,1,1,1,1,1,-1,-1")
+        below = ("(() => { const { canvas, frame } = page.strips.find((each) => each.name === 'acceleration'); const zero = frame.toY(0);"
+                 "const data = canvas.getContext('2d').getImageData(frame.toX(0.5), zero + 20, frame.toX(3) - frame.toX(0.5), 20).data;"
+                 "return data.some((_, place) => place % 4 === 0 && data[place + 3] > 0 && data[place] > 180 && data[place + 1] < 110); })()")
+        self.assertFalse(self.tab.run(below))
+        self.assertTrue(self.tab.run(below.replace("zero + 20", "frame.top").replace(", 20).data", ", zero - 10).data")))
+
+    def test_a_vehicle_that_falls_stays_in_its_panel(self):
+        columns = ["time_s", "true_roll_angle_deg", "true_bank_angle_deg", *(f"true_wheel_gap_{wheel}_m" for wheel in WHEELS)]
+        edges = ("(() => { const { canvas } = page.scene; const pen = canvas.getContext('2d');"
+                 "const above = canvas.height * 0.7; return [[0, 0, 2, above], [canvas.width - 2, 0, 2, above], [0, 0, canvas.width, 2]]"
+                 ".filter((box) => pen.getImageData(...box).data.some((byte) => byte > 0)).length; })()")
+        self.open()
+        for width, phone in ((1440, False), (390, True)):
+            self.tab.size(width, 900, phone)
+            for roll, bank in ((70, 0), (-70, 0), (45, 0), (-110, 0), (70, 8), (-30, -8)):
+                gap = 1.6 * math.sin(math.radians(abs(roll)))
+                gaps = [gap, 0, gap, 0] if roll > 0 else [0, gap, 0, gap]
+                self.show(columns, [[0, roll, bank, *gaps], [1, roll, bank, *gaps]], {})
+                self.tab.run("page.render()")
+                self.assertEqual(self.tab.run(edges), 0, (width, roll, bank))
+
+    def test_lines_of_indices_are_those_of_all_pictures(self):
+        self.open()
+        with open(PROJECT / "sil/results/index_styles.csv", encoding="utf-8", newline="") as file:
+            styles = {row["index"]: row for row in csv.DictReader(file)}
+        lines = json.loads(self.tab.run("JSON.stringify(STRIPS.find((each) => each.name === 'level').lines)"))
+        for line, index in zip(lines, ("published", "predicted_load_transfer"), strict=True):
+            self.assertEqual((line["colour"], "dash" in line), ("--" + styles[index]["colour"], styles[index]["dash"] == "2"))
+
     def test_opens_at_the_moment_in_the_address(self):
         self.open(moment=f"#{self.rows[200]['time_s']}")
         self.expect_row(self.rows, 200)
@@ -165,7 +229,10 @@ class Report(unittest.TestCase):
     def test_the_ecus_own_reports(self):
         self.open()
         self.seek(len(self.rows) - 1)
-        self.assertIn(self.seen()["degradation"], ("degradation: full", "degradation: roll sensor lost"))
+        self.assertIn(self.seen()["degradation"], ("works fully", "works without the roll sensor"))
+        dbc = (PROJECT / "can_dbc/rollover_warning.dbc").read_text(encoding="utf-8")
+        names = re.findall('"([^"]+)"', re.search(r"^VAL_ \d+ Degradation (.*);", dbc, re.MULTILINE).group(1))
+        self.assertEqual(sorted(json.loads(self.tab.run("JSON.stringify(Object.keys(DEGRADATION_WORDS))"))), sorted(names))
 
     def test_by_keyboard_alone(self):
         self.open()
@@ -194,6 +261,13 @@ class Report(unittest.TestCase):
         self.tab.key(" ")
         self.tab.wait_for("document.getElementById('play').textContent === 'Play'")
         self.expect_row(self.rows, 0)
+
+    def test_lamp_sentence_scene_and_controls_are_in_sight_together(self):
+        self.open()
+        for width in screens.each_screen(self.tab):
+            self.tab.run("window.scrollTo(0, 0)")
+            wide = ["#plane", "#strips", "#values"] if width == 1440 else []
+            screens.expect_layout(self, self.tab, ["#lamp", "#lead", "#events", "#scene", "#play", "#time", *wide], "#controls")
 
     def test_fits_a_phone_and_both_themes(self):
         for theme, ground in (("light", "rgb(244, 245, 246)"), ("dark", "rgb(16, 19, 22)")):

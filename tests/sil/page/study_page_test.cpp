@@ -5,7 +5,12 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "rsi/rsi_outputs.h"
 
 namespace study_page_test {
 namespace {
@@ -46,7 +51,7 @@ TEST(StudyPage, HasNoNumberThatIsNotFinite) {
     chart.name = "chart";
     chart.y.to = 100.0;
     chart.marks_x = {0.5};
-    chart.lines = {sil::study_line("line", 8U)};
+    chart.lines = {sil::index_line("published")};
     chart.lines[0].points = {{0.0, 1.0}, {1.0, std::nan("")}, {2.0, 1.0 / 3.0}};
     page.chart(chart);
     const json blocks = held_by(page.html())["sections"][0]["blocks"];
@@ -56,6 +61,20 @@ TEST(StudyPage, HasNoNumberThatIsNotFinite) {
     EXPECT_EQ(blocks[1]["y"]["least"], json::parse(R"({"to":100})"));
     EXPECT_EQ(blocks[1]["marks"], json::parse(R"([{"x":0.5}])"));
     EXPECT_EQ(blocks[1]["series"][0]["dash"], json::parse("[6,3]"));
+}
+
+TEST(IndexLine, IsAnIndexsOwnInEveryChart) {
+    std::set<std::pair<std::string, std::vector<int>>> all{{"--quiet", {2, 3}}};  // that of an unknown one
+#define NAME(name, unit, mirror, CHOICE, number, choice, scale, side, meaning) #choice,
+#define NOTHING(...)
+    for (const char* index : {RSI_OUTPUTS(NOTHING, NOTHING, NAME) "true_load_transfer"}) {
+        const sil::StudyLine line = sil::index_line(index);
+        EXPECT_EQ(line.words, index);
+        EXPECT_TRUE(all.emplace(line.colour, line.dash).second) << index << " has no style, or another's";
+    }
+#undef NOTHING
+#undef NAME
+    EXPECT_EQ(all.count({sil::index_line("yet another").colour, sil::index_line("yet another").dash}), 1U);
 }
 
 sil::Table table_of_cells() {

@@ -13,6 +13,7 @@ import support
 
 import bus_log_writers
 import drive_facts
+import drive_pictures
 import foreign_recorder
 import mapping_answers
 import verdict_text
@@ -94,6 +95,9 @@ class Folder(drive_support.WithDrives):
         self.assertEqual(len(links), len(self.frames))
         for link in links:
             self.assertTrue((self.output / link).is_file(), link)
+        self.assertEqual(page.count("<svg"), 2 * len(self.frames))
+        self.assertIn("squares: warnings", page)
+        support.call("/usr/bin/python3", "-B", support.PROJECT / "tests/sil/page/screens.py", self.output / "verdict.html")
 
     def test_what_is_odd_is_said_once(self):
         """The DBC file's lines, and what of a log was left out, by a draft and by a verdict on two logs."""
@@ -236,10 +240,34 @@ class Facts(support.WithFolder):
             self.assertEqual(drive_facts.purpose(self.drive(lateral)), expected)
 
     def test_names_are_text_in_the_page(self):
-        page = verdict_text.page("# Verdict\n\n## <img src=x>[report](javascript:1)\n\n- [report](replays/a%20b/report.html#1.5)\n")
+        page = verdict_text.page("# Verdict\n\n## <img src=x>[report](javascript:1)\n\n- [report](replays/a%20b/report.html#1.5)\n", {})
         self.assertIn("<h2>&lt;img src=x&gt;[report](javascript:1)</h2>", page)
         self.assertIn('<ul>\n<li><a href="replays/a%20b/report.html#1.5">report</a></li>\n</ul>', page)
 
+    def test_the_path_is_that_of_speed_and_yaw_rate(self):
+        lateral = numpy.full(3601, 1.75)
+        for side in (1.0, -1.0):
+            drive = self.drive(lateral, yaw_rate=numpy.full(3601, side * 10.0), speed=numpy.full(3601, 36.0))
+            across, ahead, unknown_s = drive_pictures.path(drive)
+            radius_m = 10.0 / numpy.radians(10.0)
+            self.assertAlmostEqual(float(across[1800]), -side * 2.0 * radius_m, delta=0.2)  # half round, to the left by the left turn
+            self.assertAlmostEqual(float(ahead[900]), radius_m, delta=0.2)
+            self.assertAlmostEqual(float(across[-1]), 0.0, delta=0.2)
+            self.assertEqual(unknown_s, 0.0)
+        drive.columns["speed"][100:200] = numpy.nan
+        self.assertAlmostEqual(drive_pictures.path(drive)[2], 1.0)
+        self.assertIn("without 1.0 s that are not known", drive_pictures.pictures(drive, []))
+        self.assertIn("No path: the log has no speed, or no yaw rate.", drive_pictures.pictures(self.drive(lateral), []))
+
+    def test_pictures_mark_warnings_and_stay_small(self):
+        lateral = 5.0 * numpy.sin(numpy.arange(200_000) / 90.0)
+        lateral[500:900] = numpy.nan
+        drive = self.drive(lateral, yaw_rate=lateral, speed=numpy.full(len(lateral), 30.0))
+        plain, marked = (drive_pictures.pictures(drive, warnings) for warnings in ([], [("3.5", "left"), ("1900", "right")]))
+        self.assertEqual((plain.count("--vermilion"), marked.count("--vermilion")), (0, 4))  # on the path, and over time
+        self.assertLess(len(marked), 40_000)
+        standing = self.drive(numpy.zeros(1), yaw_rate=numpy.zeros(1), speed=numpy.zeros(1))
+        self.assertEqual(drive_pictures.pictures(standing, []).count("<svg"), 2)
 
 if __name__ == "__main__":
     support.main()

@@ -243,6 +243,15 @@ class Validate(unittest.TestCase):
         (self.scratch / "refused/bad.csv").write_text("time_s\n0\n", encoding="utf-8")
         self.assertIn("bad.csv:1:", validate(self.scratch / "refused", self.scratch / "refused2").stderr)
 
+    def test_a_chart_alone_has_the_whole_width(self):
+        self.judged_slalom("lone", lambda row: {name: value for name, value in row.items() if "wheel_load" not in name})
+        with browser() as tab:
+            tab.size(1360, 900)
+            page = StudyTab(tab, self.scratch / "lone_judged/report.html")
+            widths = page.run("[...document.querySelectorAll('.charts')].map((each) => each.firstChild.offsetWidth / each.offsetWidth)")
+            self.assertTrue(widths)
+            self.assertGreater(min(widths), 0.95)
+
     def test_the_page_shows_the_files(self):
         with browser() as tab:
             tab.size(1360, 900)
@@ -258,11 +267,24 @@ class Validate(unittest.TestCase):
                 rows = rows_of(self.output / f"comparisons/{file['drive']}.csv")
                 samples = {round(float(each["time_s"]), 4): each for each in rows}
                 for quantity in QUANTITIES:
-                    for words, what in (("measured", "measured"), ("lower bound", "lower"), ("upper bound", "upper"),
-                                        ("predicted", "predicted")):
-                        at, value, _ = page.read_off(f"{quantity}_{number}", 1.8)[words]
+                    for words, what in (("measured", "measured"), ("corridor", "lower"), ("predicted", "predicted")):
+                        at, value, text = page.read_off(f"{quantity}_{number}", 1.8)[words]
                         self.assertAlmostEqual(at, 1.8, delta=0.1)
                         self.assertAlmostEqual(value, float(samples[round(at, 4)][f"{quantity}_{what}"]), delta=2e-6)
+                        if words == "corridor":
+                            upper = number_text(float(samples[round(at, 4)][f"{quantity}_upper"]), 3)
+                            self.assertRegex(text, f" to {upper}( deg)?$")
+                    # The predicted line lies on top, and the measured one is seen between its dashes.
+                    lines = json.loads(page.run(f"JSON.stringify(study.charts.{quantity}_{number}.series.map((each) =>"
+                                                "[each.words, each.dash.length, each.width]))"))
+                    self.assertEqual([words for words, _, _ in lines], ["corridor", "measured", "predicted"])
+                    self.assertGreater(lines[2][1], 0)
+                    self.assertLessEqual(lines[1][2], 2.5)
+                    self.assertTrue(page.run(f"(() => {{ const {{ canvas, frame, series }} = study.charts.{quantity}_{number};"
+                                             "const [x, low, high] = series[0].points.find(([at]) => at > 1.8);"
+                                             "return canvas.getContext('2d').getImageData(frame.toX(x), frame.toY(high) + 1, 1,"
+                                             "Math.max(frame.toY(low) - frame.toY(high) - 2, 1)).data.every((each, place) => place % 4 < 3 ||"
+                                             "each > 0); })()"), "the corridor is filled")
             expect_plain_page(self, tab, self.output / "report.html")
 
 
