@@ -1,8 +1,11 @@
 """The A2L as another's parser reads it (pya2l)."""
 
 import dataclasses
+import json
 import pathlib
+import subprocess
 import sys
+import tempfile
 
 BINARIES = pathlib.Path(sys.executable).parent
 
@@ -17,6 +20,14 @@ class Object:
     method: str
     least: float
     largest: float
+
+
+def module_of(path):
+    """pya2l's JSON of its only module."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / "a2l.json"
+        subprocess.run([BINARIES / "pya2l", path, "to_json", "-o", output], check=True, capture_output=True)
+        return json.loads(output.read_text())["PROJECT"]["MODULE"][0]
 
 
 def value(element):

@@ -9,10 +9,11 @@ import unittest
 sys.dont_write_bytecode = True
 A2L = pathlib.Path(sys.argv.pop(1))
 PROJECT = pathlib.Path(sys.argv.pop(1))
-sys.path.insert(1, str(PROJECT / "sil/tools"))
+sys.path[1:1] = [str(PROJECT / "sil/tools"), str(PROJECT / "cmake/environment")]
 
 import a2l_file  # noqa: E402
 import a2l_objects  # noqa: E402
+from log_error import LogError  # noqa: E402
 
 PARAMETERS = (PROJECT / "firmware/rsi/parameters.hpp").read_text()
 OUTPUTS = (PROJECT / "firmware/rsi/rsi_outputs.h").read_text()
@@ -28,7 +29,7 @@ def ranges():
 class TheFile(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.module = a2l_objects.module_of(A2L)
+        cls.module = a2l_file.module_of(A2L)
         cls.objects = a2l_file.objects(cls.module)
         cls.units = {entry["Name"]["Value"]: entry.get("Unit", {}).get("Value", "") for entry in cls.module["COMPU_METHOD"]}
 
@@ -96,6 +97,29 @@ class TheFile(unittest.TestCase):
         status = {"page_in_use", "change_pending", "refused_parameter", "changes_taken_over"}
         measured = {name for name, entry in self.objects.items() if entry.kind == "MEASUREMENT"}
         self.assertEqual(measured - status, {name for name, _ in rows} | {name for name, _ in codes})
+
+    def test_the_tools_read_of_it_what_another_parser_reads(self):
+        read = a2l_objects.read(A2L)
+        self.assertEqual(list(read.objects), list(self.objects))
+        for name, theirs in self.objects.items():
+            ours = read.objects[name]
+            self.assertEqual((ours.is_parameter, ours.text, ours.address, ours.form, ours.least, ours.largest, ours.unit),
+                             (theirs.kind == "CHARACTERISTIC", theirs.text, theirs.address, a2l_objects.FORMS[theirs.data_type],
+                              theirs.least, theirs.largest, self.units[theirs.method]), name)
+        for table in self.module["COMPU_VTAB"]:
+            self.assertEqual(read.objects[table["Name"]["Value"][3:]].choices,
+                             [pair["OutVal"]["Value"] for pair in table["InValOutVal"]])
+        memory = self.module["MOD_PAR"]
+        self.assertEqual((read.epk, read.epk_at), (memory["EPK"]["Identifier"]["Value"],
+                                                   int(memory["ADDR_EPK"][0]["Address"]["Value"])))
+        self.assertEqual((read.command_identifier, read.answer_identifier), (0x6F0, 0x6F1))
+
+    def test_the_tools_say_what_is_no_a2l_of_the_project(self):
+        cut = A2L.with_suffix(".cut.a2l")
+        cut.write_text(A2L.read_text().replace("CAN_ID_SLAVE", "CAN_ID"))
+        self.addCleanup(cut.unlink)
+        with self.assertRaisesRegex(LogError, "is no A2L of this project; make it"):
+            a2l_objects.read(cut)
 
     def test_no_two_lie_at_the_same_address(self):
         addresses = [entry.address for entry in self.objects.values()]
