@@ -91,8 +91,9 @@ void AccessibleEcu::start_plain(const rsi::Parameters& parameters, DiagnosisAcce
 void AccessibleEcu::say_refused() {
     const rsi::application::ParametersRefusal refusal = ecu().stored_refusal();
     if (refusal != rsi::application::ParametersRefusal::none) {
-        fmt::print("rsi-ecu: the section that was stored is not used: {}. Next: download or store it anew\n",
-                   explain({refusal, rsi::Validation{0, "a value", "is out of range or contradicts another"}}));
+        fmt::print(
+            "rsi-ecu: the section that was stored is not used: {}. Next: download or store it anew\n",
+            explain({refusal, rsi::Validation{0, "a value", "is out of range or contradicts another"}}));
         std::fflush(stdout);
     }
 }

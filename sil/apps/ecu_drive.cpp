@@ -1,18 +1,21 @@
-// ecu-drive: the simulated vehicle and the ECU with XCP and diagnosis in one process, for a tester at the other
-// end of two pipes, who says when time goes on. Therefore it needs no CAN interface, and nothing depends on the
-// speed of a tester. sil/tools/simulated_bus.py is the other end.
+// ecu-drive: the simulated vehicle and the ECU with XCP and diagnosis in one process, for a tester at the
+// other end of two pipes, who says when time goes on. Therefore it needs no CAN interface, and nothing
+// depends on the speed of a tester. sil/tools/simulated_bus.py is the other end.
 //
 //   use: ecu-drive VEHICLE.toml PARAMETERS.toml
 //
 // One command a line:
-//   drive MANOEUVRE SECONDS [LOST...]   a new drive, the ECU off and on again before it; what was stored stays.
-//                                       SECONDS 0: as long as the manoeuvre. LOST: sensor values without a sensor
+//   drive MANOEUVRE SECONDS [LOST...]   a new drive, the ECU off and on again before it; what was stored
+//   stays.
+//                                       SECONDS 0: as long as the manoeuvre. LOST: sensor values without a
+//                                       sensor
 //   drive bench 0                       the ECU alone, without sensor frames
 //   send ID#HEX                         a frame of the tester, for the next cycle
 //   step CYCLES                         so many cycles; the vehicle is driven on after the manoeuvre's end
 //   finish                              cycles to the manoeuvre's end
 // The answer to each ends in a line "done"; before it, "wrong REASON", or for each cycle:
-//   cycle NUMBER STATE SIDE FRAMES NUMBERS   frames of the ECU but a tester's; a checksum of all outputs but state
+//   cycle NUMBER STATE SIDE FRAMES NUMBERS   frames of the ECU but a tester's; a checksum of all outputs but
+//   state
 //                                            and side
 //   frame ID#HEX                             an answer to the tester
 #include <fmt/format.h>

@@ -24,9 +24,14 @@ class Object:
     largest: float
     unit: str
     choices: list  # texts of its numbers, from 0; empty for a number
+    mask: int = 0  # of a bit in its byte
+
+    def number(self, data):
+        value, = struct.unpack(self.form, data)
+        return int(value & self.mask != 0) if self.mask else value
 
     def decoded(self, data):
-        value, = struct.unpack(self.form, data)
+        value = self.number(data)
         return self.choices[value] if self.choices and value < len(self.choices) else value
 
     def encoded(self, text):
@@ -80,9 +85,10 @@ def _parsed(text):
     for name, meaning, _, address, layout, _, method, least, largest, *_ in blocks["CHARACTERISTIC"]:
         objects[name] = Object(name, True, meaning, int(address, 0), FORMS[layout], float(least), float(largest),
                                units[method], tables.get(name, []))
-    for name, meaning, kind, method, _, _, least, largest, _, address, *_ in blocks["MEASUREMENT"]:
-        objects[name] = Object(name, False, meaning, int(address, 0), FORMS[kind], float(least), float(largest),
-                               units[method], tables.get(name, []))
+    for name, meaning, kind, method, _, _, least, largest, *tagged in blocks["MEASUREMENT"]:
+        told = dict(zip(tagged[::2], tagged[1::2]))
+        objects[name] = Object(name, False, meaning, int(told["ECU_ADDRESS"], 0), FORMS[kind], float(least), float(largest),
+                               units[method], tables.get(method.removeprefix("CM_"), []), int(told.get("BIT_MASK", "0"), 0))
     return File(objects, _after(text, "EPK"), int(_after(text, "ADDR_EPK"), 0), int(_after(text, "CAN_ID_MASTER"), 0),
                 int(_after(text, "CAN_ID_SLAVE"), 0))
 

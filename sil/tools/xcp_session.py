@@ -228,5 +228,5 @@ class Session:
                 for byte in range(struct.calcsize(entry.form)):
                     number, at = places[entry.address + byte]
                     data.append(sample[number][at])
-                columns[entry.name].append(struct.unpack(entry.form, data)[0])
+                columns[entry.name].append(entry.number(bytes(data)))
         return times, columns

@@ -20,6 +20,7 @@ class Object:
     method: str
     least: float
     largest: float
+    mask: int = 0
 
 
 def module_of(path):
@@ -46,5 +47,6 @@ def objects(module):
         found[entry["Name"]["Value"]] = Object(
             "MEASUREMENT", entry["Name"]["Value"], entry["LongIdentifier"].get("Value", ""),
             int(value(entry["ECU_ADDRESS"]["Address"])), entry["DataType"]["Value"], entry["Conversion"]["Value"],
-            float(value(entry["LowerLimit"])), float(value(entry["UpperLimit"])))
+            float(value(entry["LowerLimit"])), float(value(entry["UpperLimit"])),
+            int(value(entry.get("BIT_MASK", {}).get("Mask", {}))))
     return found

@@ -68,6 +68,18 @@ class InProcess(unittest.TestCase):
         said = self.calibrate("read", "state", "warning_on", "--in-process", "j-turn-110")
         self.assertEqual(said, "state = ready\nwarning_on = 0.88\n")
 
+    def test_measures_inputs_and_codes(self):
+        table = pathlib.Path(self.folder.name) / "codes.csv"
+        self.calibrate("measure", "code_roll_angle_invalid", "code_speed_invalid", "speed_mps", "roll_angle_rad", "--seconds", "0.1",
+                       "--output", str(table), "--in-process", "straight", "--lost", "roll_angle")
+        for row in table.read_text().splitlines()[1:]:
+            _, roll_angle, speed, value, angle = row.split(",")
+            self.assertEqual((roll_angle, speed, angle), ("1", "0", "nan"))
+            self.assertAlmostEqual(float(value), 27.78, delta=0.1)
+        said = self.calibrate("read", "code_roll_angle_invalid", "confirmed_imu_lost", "--in-process", "straight", "--lost",
+                              "roll_angle")
+        self.assertEqual(said, "code_roll_angle_invalid = yes\nconfirmed_imu_lost = no\n")
+
     def test_measures_the_warning_of_a_manoeuvre(self):
         table = pathlib.Path(self.folder.name) / "measured.csv"
         said = self.calibrate("measure", "state", "--seconds", "3", "--output", str(table), "--in-process", "j-turn-110")
