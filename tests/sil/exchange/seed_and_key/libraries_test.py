@@ -76,7 +76,7 @@ class Libraries(unittest.TestCase):
             self.assertEqual((answer, len(seed), len(key)), (0, 16, 16))
             self.assertEqual(ask(0x27, 0x02, key[0] ^ wrong, *key[1:]), b"\x7F\x27\x35" if wrong else b"\x67\x02")
 
-    def test_what_cannot_be_answered_is_refused_by_its_number(self):
+    def test_a_request_without_an_answer_is_refused_by_its_number(self):
         seed = bytes(16)
         self.assertEqual(key_of_xcp(seed, PROGRAMMING), (1, b""))
         self.assertEqual(key_of_xcp(seed[1:]), (2, b""))
