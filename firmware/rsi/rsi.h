@@ -115,10 +115,9 @@ typedef struct {
     float forgetting_factor;               /* weight of the sample before, lambda */
     float disturbance_cutoff_hz;           /* cut-off of Q(z), f_c; 0 switches the disturbance observer off */
     float regression_scale_nm;             /* Y is divided by this before normalisation */
-    float initial_roll_centre_deviation_m; /* standard deviations of the unknowns at the start: the diagonal
-                                              of P(0) */
-    float initial_stiffness_deviation_nmprad;
-    float initial_damping_deviation_nmsprad;
+    float initial_roll_centre_deviation_m; /* of dh at the start; with the next two the diagonal of P(0) */
+    float initial_stiffness_deviation_nmprad; /* of the roll stiffness at the start */
+    float initial_damping_deviation_nmsprad;  /* of the roll damping at the start */
     float covariance_limit; /* no forgetting while trace(P), in units of P(0), exceeds this */
 
     /* Consider-Kalman filter */
