@@ -79,50 +79,50 @@ typedef enum { RSI_SIDE_NONE = 0, RSI_SIDE_LEFT = 1, RSI_SIDE_RIGHT = 2 } rsi_si
 /* The calibration. Every field has a range; rsi_init refuses a value outside it by the field's name. */
 typedef struct {
     /* Vehicle */
-    float sprung_mass_kg;       /* m_s */
-    float sprung_cg_height_m;   /* h_cg,s above the road */
-    float track_width_m;        /* c_w */
-    float roll_inertia_kgm2;    /* Ixx of the sprung mass about its centre of gravity */
-    float unsprung_mass_kg;     /* m_u: axles, wheels, brakes */
-    float unsprung_cg_height_m; /* h_u above the road */
+    float sprung_mass_kg;       /* mass on the springs, m_s */
+    float sprung_cg_height_m;   /* its centre of gravity above the road, h_cg,s */
+    float track_width_m;        /* track width, c_w */
+    float roll_inertia_kgm2;    /* of the sprung mass about its centre of gravity, Ixx */
+    float unsprung_mass_kg;     /* axles, wheels and brakes, m_u */
+    float unsprung_cg_height_m; /* their centre of gravity above the road, h_u */
 
     /* Roll-plane model with a fixed roll centre, (1) */
-    float fixed_roll_centre_height_m; /* h_frc above the road */
-    float roll_stiffness_nmprad;      /* K_f */
-    float roll_damping_nmsprad;       /* c_f */
+    float fixed_roll_centre_height_m; /* roll centre above the road, h_frc */
+    float roll_stiffness_nmprad;      /* roll stiffness, K_f */
+    float roll_damping_nmsprad;       /* roll damping, c_f */
 
     /* The suspension's roll moment as a curve: M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5. The
      * published algorithm does not use it. */
-    float roll_stiffness_cubic_nmprad3;   /* K_2 */
-    float roll_stiffness_quintic_nmprad5; /* K_4 */
+    float roll_stiffness_cubic_nmprad3;   /* cubic part of the roll moment, K_2 */
+    float roll_stiffness_quintic_nmprad5; /* part with the fifth power, K_4 */
 
     /* The lateral acceleration that the steering demands: a_d = V^2 delta / (L + K_us V^2) */
-    float wheelbase_m;                       /* L */
+    float wheelbase_m;                       /* wheelbase, L */
     float steering_ratio;                    /* angle of the steering wheel over that of the front wheels */
-    float understeer_gradient_s2pm;          /* K_us, > 0 for an understeering vehicle */
+    float understeer_gradient_s2pm;          /* understeer gradient, K_us, > 0 for an understeering vehicle */
     float largest_lateral_acceleration_mps2; /* the tyres give no more */
     /* How A follows a_d in the prediction, A'' = w^2 (a_d - A) - 2 zeta w A'. */
-    float lateral_response_frequency_radps; /* w; 0 if not known */
-    float lateral_response_damping;         /* zeta; without meaning where w is not known */
+    float lateral_response_frequency_radps; /* natural frequency, w; 0 if not known */
+    float lateral_response_damping;         /* damping ratio, zeta; without meaning where w is not known */
 
     /* Position of the IMU, from the sprung mass's centre of gravity in body axes */
-    float imu_x_m;
-    float imu_y_m;
-    float imu_z_m;
+    float imu_x_m;                    /* forward */
+    float imu_y_m;                    /* to the left */
+    float imu_z_m;                    /* upwards */
     float angular_acceleration_lag_s; /* of the derivatives that carry f_y and f_z to the CG, first order */
 
     /* Robust least squares with disturbance observer, (9) to (11) */
-    float forgetting_factor;               /* lambda */
-    float disturbance_cutoff_hz;           /* f_c of Q(z); 0 switches the disturbance observer off */
+    float forgetting_factor;               /* weight of the sample before, lambda */
+    float disturbance_cutoff_hz;           /* cut-off of Q(z), f_c; 0 switches the disturbance observer off */
     float regression_scale_nm;             /* Y is divided by this before normalisation */
-    float initial_roll_centre_deviation_m; /* square roots of the diagonal of P(0) */
-    float initial_stiffness_deviation_nmprad;
-    float initial_damping_deviation_nmsprad;
+    float initial_roll_centre_deviation_m; /* of dh at the start; with the next two the diagonal of P(0) */
+    float initial_stiffness_deviation_nmprad; /* of the roll stiffness at the start */
+    float initial_damping_deviation_nmsprad;  /* of the roll damping at the start */
     float covariance_limit; /* no forgetting while trace(P), in units of P(0), exceeds this */
 
     /* Consider-Kalman filter */
     float roll_centre_prior_deviation_m; /* standard deviation of dh before anything is known */
-    float roll_centre_limit_m;           /* |dh| stays within */
+    float roll_centre_limit_m;           /* largest magnitude of dh */
     float roll_centre_reversion_s;       /* without excitation dh returns to the nominal within this time */
     float estimator_filter_lag_s;        /* two such lags on both sides of the roll equation */
     float excitation_threshold_mps2;     /* no update while |A + N tan phi| is smaller */
@@ -133,7 +133,7 @@ typedef struct {
     float load_transfer_inertial_weight;
 
     /* Looking ahead */
-    float prediction_horizon_s;  /* how far */
+    float prediction_horizon_s;  /* how far ahead */
     float acceleration_trend_s;  /* time constant with which the trend of A dies away */
     float response_horizon_s;    /* how far with the lateral response, where it is known; 0: not at all */
     float response_margin_per_s; /* by how much a load transfer counts less for each second beyond 0.1 s */
@@ -148,13 +148,13 @@ typedef struct {
                               load_excess_deviation, 0.1 at most */
 
     /* The paper's other indices */
-    float rollover_index_angle_weight;        /* C_1 of (29) */
-    float rollover_index_acceleration_weight; /* C_2 of (29) */
-    float rollover_index_slope_radps;         /* k_1 of (29): phi' (rad/s) per rad of phi */
-    float rollover_index_roll_angle_rad;      /* phi_th of (29) */
-    float rollover_index_roll_rate_radps;     /* phi'_th of (29) */
-    float rollover_index_acceleration_mps2;   /* a_yc of (29) */
-    float time_to_rollover_limit_s;           /* a shorter time is a risk of 1 */
+    float rollover_index_angle_weight;        /* weight of the roll angle, C_1 of (29) */
+    float rollover_index_acceleration_weight; /* weight of the acceleration, C_2 of (29) */
+    float rollover_index_slope_radps;       /* slope of the line, k_1 of (29): phi' (rad/s) per rad of phi */
+    float rollover_index_roll_angle_rad;    /* critical roll angle, phi_th of (29) */
+    float rollover_index_roll_rate_radps;   /* critical roll rate, phi'_th of (29) */
+    float rollover_index_acceleration_mps2; /* critical acceleration, a_yc of (29) */
+    float time_to_rollover_limit_s;         /* a shorter time is a risk of 1 */
 
     /* Observer of roll angle and bank, and the check of the roll sensor against it */
     float observer_bank_drift_radps; /* how fast the bank changes: random walk, rad per square root of s */
@@ -177,11 +177,11 @@ typedef struct {
     float speed_resolution_mps;     /* one step of the speed's value */
 
     /* Selections */
-    int32_t estimator;              /* rsi_estimator */
-    int32_t warning_indicator;      /* rsi_indicator */
-    int32_t roll_angle_reference;   /* rsi_roll_angle_reference */
-    int32_t roll_angle_sensor;      /* rsi_roll_angle_sensor */
-    int32_t vehicle_motion_sensors; /* rsi_vehicle_motion_sensors */
+    int32_t estimator;              /* roll-centre estimator in use: rsi_estimator */
+    int32_t warning_indicator;      /* index that drives the warning: rsi_indicator */
+    int32_t roll_angle_reference;   /* reference of the roll sensor: rsi_roll_angle_reference */
+    int32_t roll_angle_sensor;      /* whether a roll sensor is fitted: rsi_roll_angle_sensor */
+    int32_t vehicle_motion_sensors; /* motion signals that the vehicle sends: rsi_vehicle_motion_sensors */
 } rsi_parameters;
 
 /* One sample of the sensors, all body-fixed. A value that is not finite or outside its range is "not
@@ -189,11 +189,11 @@ typedef struct {
  * observer, which needs yaw rate and speed, does not know the roll angle. The others are optional. An angle
  * against the horizon needs the bank that is in it: the sixth, or a fifth of a second of the observer. */
 typedef struct {
-    float lateral_specific_force_mps2;  /* f_y at the IMU, -60 to 60 */
-    float vertical_specific_force_mps2; /* f_z at the IMU, near +9.81 at rest, -60 to 60 (optional) */
-    float roll_rate_radps; /* p, of the body's gyro, -10 to 10; taken for the rate of the roll angle */
+    float lateral_specific_force_mps2;  /* specific force to the left at the IMU, f_y, -60 to 60 */
+    float vertical_specific_force_mps2; /* up at the IMU, f_z, near +9.81 at rest, -60 to 60 (optional) */
+    float roll_rate_radps; /* roll rate of the gyro, p, -10 to 10; taken for the rate of the roll angle */
     float roll_angle_rad;  /* against roll_angle_reference, -2.2 to 2.2 (the observer's if absent) */
-    float yaw_rate_radps;  /* -10 to 10 (optional: lever-arm correction, observer) */
+    float yaw_rate_radps;  /* yaw rate, -10 to 10 (optional: lever-arm correction, observer) */
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
     float speed_mps;       /* -150 to 150 (optional: observer) */
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
@@ -215,12 +215,15 @@ typedef struct {
     float warning_level;                       /* [-] level of the index that drives the warning, 0 to 20;
                                                   without observer_margin and load_margin */
     float lateral_acceleration_mps2;           /* [m/s^2] a_y: horizontal, of the sprung CG */
-    float lateral_acceleration_threshold_mps2; /* [m/s^2] a_y*, (23), signed like the side it is for */
+    float lateral_acceleration_threshold_mps2; /* [m/s^2] its threshold a_y*, (23), signed like the side it
+                                                  is for */
     float road_parallel_force_mps2;            /* [m/s^2] A: specific force along the road, left */
     float road_normal_force_mps2;              /* [m/s^2] N: specific force normal to the road, up */
-    float fixed_model_roll_angle_rad;          /* [rad] phi_f, (1) */
-    float compensated_roll_angle_rad;          /* [rad] (1) with the additional roll moment (7) */
-    float additional_roll_moment_nm;           /* [N m] M_add, (7) */
+    float fixed_model_roll_angle_rad;          /* [rad] roll angle of the model with a fixed roll centre,
+                                                  phi_f, (1) */
+    float compensated_roll_angle_rad;          /* [rad] roll angle of that model with the additional roll
+                                                  moment (7) */
+    float additional_roll_moment_nm;           /* [N m] additional roll moment, M_add, (7) */
     float roll_centre_vertical_m;              /* [m] dh: movement of the roll centre from its nominal
                                                   height, up */
     float roll_centre_lateral_m;               /* [m] c_rc, (6): lateral movement of the roll centre */
@@ -228,7 +231,7 @@ typedef struct {
                                                   nominal value */
     float roll_damping_deviation_nmsprad;      /* [N m s/rad] dc: deviation of the roll damping from its
                                                   nominal value */
-    float disturbance_nm;                      /* [N m] d of (11), in units of Y */
+    float disturbance_nm;                      /* [N m] estimated disturbance, d of (11), in units of Y */
     float roll_centre_deviation_m;             /* [m] standard deviation of dh; not of every estimator */
     float opposite_load_transfer_ratio;        /* [-] the largest towards the other side than
                                                   predicted_load_transfer_ratio, 0 to 20 */
@@ -249,12 +252,13 @@ typedef struct {
     float predicted_load_transfer_ratio;       /* [-] the same, of largest magnitude now or within the
                                                   prediction horizon */
     float predicted_rsi;                       /* [-] rsi_extended at that load transfer, or now if larger */
-    float static_stability_level;              /* [-] |a_y| / (g SSF), 0 to 20 */
-    float dynamic_stability_index;             /* [g] (27) with minus, the physical sign, > 0 in a left
-                                                  turn, -20 to 20 */
-    float dynamic_stability_index_late;        /* [g] (27) with plus, as printed, -20 to 20 */
+    float static_stability_level;              /* [-] level by the static stability factor: |a_y| / (g
+                                                  SSF), 0 to 20 */
+    float dynamic_stability_index;             /* [g] dynamic stability index, (27) with minus, the
+                                                  physical sign, > 0 in a left turn, -20 to 20 */
+    float dynamic_stability_index_late;        /* [g] the same, (27) with plus, as printed, -20 to 20 */
     float energy_margin;                       /* [-] W of (28): 1 at rest, 0 at the critical energy */
-    float rollover_index;                      /* [-] (29), 0 to 20 */
+    float rollover_index;                      /* [-] rollover index (29), 0 to 20 */
     float time_to_rollover_s;                  /* [s] time until the CG leaves the track, 0 to 10; 10 while
                                                   it does not roll outwards */
 } rsi_outputs;

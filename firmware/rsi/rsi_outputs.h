@@ -53,7 +53,7 @@
     NUMBER(lateral_acceleration_mps2, "m/s^2", turns, always, statement, \
            "a_y: horizontal, of the sprung CG") \
     NUMBER(lateral_acceleration_threshold_mps2, "m/s^2", turns, always, statement, \
-           "a_y*, (23), signed like the side it is for") \
+           "its threshold a_y*, (23), signed like the side it is for") \
     \
     NUMBER(road_parallel_force_mps2, "m/s^2", turns, always, detail, \
            "A: specific force along the road, left") \
@@ -61,11 +61,11 @@
            "N: specific force normal to the road, up") \
     \
     NUMBER(fixed_model_roll_angle_rad, "rad", turns, always, detail, \
-           "phi_f, (1)") \
+           "roll angle of the model with a fixed roll centre, phi_f, (1)") \
     NUMBER(compensated_roll_angle_rad, "rad", turns, always, detail, \
-           "(1) with the additional roll moment (7)") \
+           "roll angle of that model with the additional roll moment (7)") \
     NUMBER(additional_roll_moment_nm, "N m", turns, always, detail, \
-           "M_add, (7)") \
+           "additional roll moment, M_add, (7)") \
     NUMBER(roll_centre_vertical_m, "m", stays, estimate, detail, \
            "dh: movement of the roll centre from its nominal height, up") \
     NUMBER(roll_centre_lateral_m, "m", turns, always, detail, \
@@ -75,7 +75,7 @@
     NUMBER(roll_damping_deviation_nmsprad, "N m s/rad", stays, estimate, detail, \
            "dc: deviation of the roll damping from its nominal value") \
     NUMBER(disturbance_nm, "N m", turns, sometimes, detail, \
-           "d of (11), in units of Y") \
+           "estimated disturbance, d of (11), in units of Y") \
     NUMBER(roll_centre_deviation_m, "m", stays, sometimes, detail, \
            "standard deviation of dh; not of every estimator") \
     \
@@ -105,15 +105,15 @@
     INDEX(predicted_rsi, "-", stays, PREDICTED_RSI, 5, predicted_rsi, same, predicted, \
           "rsi_extended at that load transfer, or now if larger") \
     INDEX(static_stability_level, "-", stays, STATIC_STABILITY_FACTOR, 6, static_stability_factor, same, acceleration, \
-          "|a_y| / (g SSF), 0 to 20") \
+          "level by the static stability factor: |a_y| / (g SSF), 0 to 20") \
     INDEX(dynamic_stability_index, "g", turns, DYNAMIC_STABILITY, 7, dynamic_stability, per_ssf, own, \
-          "(27) with minus, the physical sign, > 0 in a left turn, -20 to 20") \
+          "dynamic stability index, (27) with minus, the physical sign, > 0 in a left turn, -20 to 20") \
     INDEX(dynamic_stability_index_late, "g", turns, DYNAMIC_STABILITY_LATE, 8, dynamic_stability_late, per_ssf, own, \
-          "(27) with plus, as printed, -20 to 20") \
+          "the same, (27) with plus, as printed, -20 to 20") \
     INDEX(energy_margin, "-", stays, ENERGY, 9, energy, complement, roll, \
           "W of (28): 1 at rest, 0 at the critical energy") \
     INDEX(rollover_index, "-", stays, ROLLOVER_INDEX, 10, rollover_index, same, roll, \
-          "(29), 0 to 20") \
+          "rollover index (29), 0 to 20") \
     INDEX(time_to_rollover_s, "s", stays, TIME_TO_ROLLOVER, 11, time_to_rollover, limit_over, roll, \
           "time until the CG leaves the track, 0 to 10; 10 while it does not roll outwards")
 /* clang-format on */

@@ -11,13 +11,13 @@ enum { steps = 480, steps_without_sensors = 10 };
 
 static float float_of(uint32_t bits) {
     float value;
-    memcpy(&value, &bits, sizeof value);
+    (void)memcpy(&value, &bits, sizeof value);
     return value;
 }
 
 static uint32_t bits_of(float value) {
     uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
@@ -52,10 +52,12 @@ static int keeps_subnormals(void) {
 
 /* Pseudo-random integer from -range to range. */
 static int32_t noise(uint32_t* state, int32_t range) {
+    uint32_t drawn;
     *state ^= *state << 13U;
     *state ^= *state >> 17U;
     *state ^= *state << 5U;
-    return (int32_t)((*state >> 8U) % (2U * (uint32_t)range + 1U)) - range;
+    drawn = (*state >> 8U) % ((2U * (uint32_t)range) + 1U);
+    return (int32_t)drawn - range;
 }
 
 /* The drive is computed in integers, in units of 2^-16, so that the flags of this file cannot change it. */
@@ -88,14 +90,14 @@ static void drive(drive_state* state, int32_t step, rsi_inputs* inputs) {
     const int32_t difference = turn_asked_for(step) - state->turn;
     const int32_t change = (difference > 2500) ? 2500 : ((difference < -2500) ? -2500 : difference);
     state->turn += change;
-    inputs->lateral_specific_force_mps2 = value_of(9 * state->turn + noise(&state->noise, 6000));
+    inputs->lateral_specific_force_mps2 = value_of((9 * state->turn) + noise(&state->noise, 6000));
     inputs->vertical_specific_force_mps2 = value_of(642908 + noise(&state->noise, 13000));
-    inputs->roll_rate_radps = value_of(9 * change + noise(&state->noise, 600));
-    inputs->roll_angle_rad = value_of(state->turn / 9 + noise(&state->noise, 150));
-    inputs->yaw_rate_radps = value_of(state->turn / 3 + noise(&state->noise, 300));
+    inputs->roll_rate_radps = value_of((9 * change) + noise(&state->noise, 600));
+    inputs->roll_angle_rad = value_of((state->turn / 9) + noise(&state->noise, 150));
+    inputs->yaw_rate_radps = value_of((state->turn / 3) + noise(&state->noise, 300));
     inputs->bank_angle_rad = not_available;
-    inputs->speed_mps = value_of(25 * 65536 + noise(&state->noise, 200));
-    inputs->steering_wheel_angle_rad = value_of(2 * state->turn + noise(&state->noise, 700));
+    inputs->speed_mps = value_of((25 * 65536) + noise(&state->noise, 200));
+    inputs->steering_wheel_angle_rad = value_of((2 * state->turn) + noise(&state->noise, 700));
     inputs->vehicle_mass_kg = (step < 150) ? not_available : value_of(2700 * 65536);
 
     /* Every sensor that may be missing is, at some time, and so is a short time all of them. */
@@ -128,47 +130,42 @@ static uint32_t add(uint32_t digest, uint32_t word) {
     return (digest ^ canonical) * 16777619U;
 }
 
+/* Every member has four bytes. */
 static uint32_t add_outputs(uint32_t digest, const rsi_outputs* outputs) {
-    /* From warning_level on every member has four bytes; the enumerations before have as many as the compiler
-     * likes. */
-    const unsigned char* const end = (const unsigned char*)(outputs + 1);
-    const unsigned char* at = (const unsigned char*)&outputs->warning_level;
-    digest = add(digest, (uint32_t)outputs->state);
-    digest = add(digest, (uint32_t)outputs->side);
-    digest = add(digest, (uint32_t)outputs->roll_source);
-    digest = add(digest, (uint32_t)outputs->roll_sensor_disagrees);
-    digest = add(digest, (uint32_t)outputs->estimate_frozen);
-    for (; at < end; at += sizeof(uint32_t)) {
-        uint32_t word;
-        memcpy(&word, at, sizeof word);
-        digest = add(digest, word);
+    uint32_t words[sizeof(rsi_outputs) / sizeof(uint32_t)];
+    uint32_t sum = digest;
+    uint32_t place;
+    (void)memcpy(words, outputs, sizeof words);
+    for (place = 0U; place < (sizeof(words) / sizeof(words[0])); ++place) {
+        sum = add(sum, words[place]);
     }
-    return digest;
+    return sum;
 }
 
 /* One drive with one estimator, added to `digest`. */
 static uint32_t add_drive(uint32_t digest, rsi_component* component, int32_t estimator, int* result) {
     rsi_parameters parameters = large_suv_parameters;
     drive_state state = {1U, 0};
+    uint32_t sum = digest;
     int32_t step;
     parameters.estimator = estimator;
     if (rsi_init(component, &parameters).accepted != 1) {
         *result = RSI_SELFTEST_PARAMETERS;
-        return digest;
+        return sum;
     }
     for (step = 0; step < steps; ++step) {
         rsi_inputs inputs;
         rsi_outputs outputs;
-        memset(&outputs, 0, sizeof outputs);
+        (void)memset(&outputs, 0, sizeof outputs);
         drive(&state, step, &inputs);
         rsi_step(component, &inputs, &outputs);
-        digest = add_outputs(digest, &outputs);
+        sum = add_outputs(sum, &outputs);
         if ((step < steps_without_sensors) &&
-            ((outputs.state != RSI_STATE_UNAVAILABLE) || !isnan(outputs.rsi))) {
+            ((outputs.state != (int32_t)RSI_STATE_UNAVAILABLE) || !isnan(outputs.rsi))) {
             *result = RSI_SELFTEST_AVAILABLE;
         }
     }
-    return digest;
+    return sum;
 }
 
 uint32_t rsi_selftest_digest(rsi_component* component, int* result) {
@@ -186,7 +183,7 @@ int rsi_selftest(rsi_component* component) {
         return RSI_SELFTEST_ROUNDING;
     }
     digest = rsi_selftest_digest(component, &result);
-    if (result != RSI_SELFTEST_PASSED) {
+    if (result != (int)RSI_SELFTEST_PASSED) {
         return result;
     }
     if (digest == RSI_SELFTEST_EXPECTED_DIGEST) {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,10 +16,7 @@
 #include "hal/linux/steady_clock.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
-#include "rsi/ecu/application/calibrated_ecu.hpp"
-#include "rsi/ecu/application/rollover_ecu.hpp"
-#include "sil/apps/tool_access.hpp"
-#include "sil/files/parameter_section_file.hpp"
+#include "sil/apps/accessible_ecu.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/simulation/simulation.hpp"
@@ -101,113 +97,7 @@ void BusStateReport::follow(const rsi::hal::SocketCanBus& bus) {
     refusal_ = refusal;
 }
 
-// Access beside the warning; nullptr: none.
-struct Accesses {
-    CalibrationAccess* calibration{nullptr};
-    DiagnosisAccess* diagnosis{nullptr};
-};
-
-// The firmware, with XCP and diagnosis or without.
-class Ecu {
- public:
-    // All must outlive the ECU. `is_switched_on`: an operation cycle begins; false after a reset.
-    Ecu(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock, rsi::hal::Watchdog& watchdog,
-        const rsi::Parameters& parameters, const Accesses& accesses, bool is_switched_on) {
-        if (accesses.diagnosis != nullptr) {
-            start_diagnosis(bus, *accesses.diagnosis, is_switched_on);
-        }
-        CalibrationAccess* const access = accesses.calibration;
-        if (access != nullptr) {
-            calibrated_.emplace(bus, clock, watchdog, access->seed_and_key(), access->section().data(),
-                                access->section().size(), &access->stored_section());
-            calibrated_->ecu().report_test_keys(access->keys());
-            start_calibrated(parameters);
-        } else {
-            plain_.emplace(bus, clock, watchdog);
-            if (accesses.diagnosis != nullptr) {
-                plain_->report_test_keys(accesses.diagnosis->keys());
-            }
-            start_plain(parameters, accesses.diagnosis);
-        }
-        if (diagnosis_) {
-            static_cast<void>(ecu().add_listener(diagnosis_->listener()));
-        }
-        say_refused();
-    }
-    void step(std::uint32_t missed_cycles) {
-        if (calibrated_) {
-            calibrated_->step(missed_cycles);
-        } else {
-            plain_->step(missed_cycles);
-        }
-        if (diagnosis_) {
-            diagnosis_->step(ecu());
-        }
-    }
-    // How much later than usual the next cycle should begin.
-    rsi::hal::Time cycle_shift() const {
-        return calibrated_ ? calibrated_->cycle_shift() : plain_->cycle_shift();
-    }
-    // An orderly end, unlike a loss of power.
-    void stop() {
-        if (diagnosis_) {
-            diagnosis_->stop();
-        }
-    }
-    // A tester wants it to start anew.
-    bool is_reset_requested() const { return diagnosis_ && diagnosis_->is_reset_requested(); }
-
-    // It has started with other parameters than those that it was given.
-    bool has_stored() const { return has_stored_; }
-
- private:
-    rsi::application::RolloverEcu& ecu() { return calibrated_ ? calibrated_->ecu() : *plain_; }
-    void start_diagnosis(rsi::hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
-        diagnosis_.emplace(bus, rsi::diagnosis::Addresses{}, access.identification(), access.one(),
-                           access.other());
-        diagnosis_->use(access.seed_and_key());
-        diagnosis_->use(access.store());
-        diagnosis_->start(is_switched_on);
-    }
-    void start_plain(const rsi::Parameters& parameters, DiagnosisAccess* access) {
-        const bool is_downloaded = (access != nullptr) && access->store().restore();
-        if (access != nullptr) {
-            plain_->report_stored_section(access->store().refusal());
-        }
-        if (is_downloaded) {
-            require_accepted(plain_->init(access->store().section(), access->store().length()).validation);
-            fmt::print("rsi-ecu: starts with the parameters that were downloaded\n");
-        } else {
-            require_accepted(plain_->init(parameters));
-        }
-    }
-    void say_refused() {
-        const rsi::application::ParametersRefusal refusal = ecu().stored_refusal();
-        if (refusal != rsi::application::ParametersRefusal::none) {
-            fmt::print(
-                "rsi-ecu: the section that was stored is not used: {}. Next: download or store it anew\n",
-                explain({refusal, rsi::Validation{0, "a value", "is out of range or contradicts another"}}));
-            std::fflush(stdout);
-        }
-    }
-    static void require_accepted(const rsi::Validation& answer) {
-        if (answer.accepted == 0) {
-            throw std::runtime_error(
-                fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
-        }
-    }
-    void start_calibrated(const rsi::Parameters& parameters) {
-        require_accepted(calibrated_->init().validation);
-        has_stored_ = std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
-    }
-
-    std::optional<rsi::diagnosis::Diagnosis> diagnosis_;
-    std::optional<rsi::application::RolloverEcu> plain_;
-    std::optional<rsi::application::CalibratedEcu> calibrated_;
-    bool has_stored_{false};
-};
-
-void say_listening(const EcuRequest& request, const Ecu& ecu) {
+void say_listening(const EcuRequest& request, const AccessibleEcu& ecu) {
     const std::string stored =
         ecu.has_stored() ? fmt::format(", with what XCP has stored in {}", request.xcp_storage) : "";
     fmt::print("rsi-ecu: listening on {}{}{}\n", request.interface, request.lock_step ? ", in lock-step" : "",
@@ -241,7 +131,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
                       rsi::hal::SocketCanBus& bus, const volatile std::sig_atomic_t& end_requested) {
     rsi::hal::SteadyClock clock;
     rsi::hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    std::optional<Ecu> ecu;
+    std::optional<AccessibleEcu> ecu;
     ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
     const rsi::hal::RealTimeResult real_time =
         rsi::hal::enter_real_time({request.fifo_priority, request.lock_memory});
@@ -272,7 +162,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
     rsi::hal::VirtualClock clock;
     LockStepReceiver<256U> bus{socket, clock};
     rsi::hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    std::optional<Ecu> ecu;
+    std::optional<AccessibleEcu> ecu;
     ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
     say_listening(request, *ecu);
     while (end_requested == 0) {
@@ -301,12 +191,12 @@ void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
     rsi::hal::SocketCanBus bus;
     std::optional<CalibrationAccess> access;
     if (request.xcp) {
-        access.emplace(parameters, request.calibration_name, request.xcp_storage);
+        access.emplace(parameters, request.calibration_name, request.xcp_storage, request.key);
     }
     std::optional<DiagnosisAccess> workshop;
     if (request.diagnosis) {
         workshop.emplace(request.calibration_name, request.diagnosis_storage,
-                         access ? &access->stored_section() : nullptr);
+                         access ? &access->stored_section() : nullptr, request.key);
     }
     const Accesses given{access ? &*access : nullptr, workshop ? &*workshop : nullptr};
     open_or_throw(bus, request);

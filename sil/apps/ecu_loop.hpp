@@ -18,6 +18,7 @@ struct EcuRequest {
     bool diagnosis{false};          // UDS on ISO-TP answers, and trouble codes are kept
     std::string diagnosis_storage;  // folder of what is kept; empty: nowhere
     std::string calibration_name;   // for a tester
+    std::string key{"test"};        // key file of both, or `test`
     bool receive_everything{
         false};  // no filters in the kernel: foreign frames reach the firmware, which drops them
 };

@@ -90,19 +90,23 @@ int main(int argc, char** argv) {
     app.add_option("--priority", request.fifo_priority, "Real-time priority under SCHED_FIFO")
         ->check(CLI::Range(1, 99));
     app.add_flag("--lock-memory", request.lock_memory, "Keep all memory from being paged out");
-    CLI::Option* xcp =
-        app.add_flag("--xcp", request.xcp, "Answer XCP on CAN (identifiers 0x6F0 and 0x6F1, the test key)");
+    CLI::Option* xcp = app.add_flag("--xcp", request.xcp, "Answer XCP on CAN (identifiers 0x6F0 and 0x6F1)");
     app.add_option("--xcp-storage", request.xcp_storage,
                    "Existing folder for what XCP stores; without it that is lost at the end")
         ->check(CLI::ExistingDirectory)
         ->needs(xcp);
-    CLI::Option* diagnosis = app.add_flag(
-        "--diagnosis", request.diagnosis,
-        "Keep trouble codes and answer UDS on ISO-TP (identifiers 0x7A6, 0x7DF and 0x7AE, the test key)");
+    CLI::Option* diagnosis =
+        app.add_flag("--diagnosis", request.diagnosis,
+                     "Keep trouble codes and answer UDS on ISO-TP (identifiers 0x7A6, 0x7DF and 0x7AE)");
     app.add_option("--diagnosis-storage", request.diagnosis_storage,
                    "Existing folder for what diagnosis keeps; without it that is lost at the end")
         ->check(CLI::ExistingDirectory)
         ->needs(diagnosis);
+    app.add_option(
+           "--key", request.key,
+           "Key file of XCP (TOML: calibration = \"32 hexadecimal digits\") and diagnosis (diagnosis = "
+           "...); `test`: the public test keys")
+        ->capture_default_str();
     app.add_flag("--receive-everything", request.receive_everything,
                  "Set no filters in the kernel, to show what a busy bus does without them");
 

@@ -1,5 +1,5 @@
-// Tool access: what XCP and diagnosis of the firmware need on a host. The keys are the test keys, which are
-// public.
+// Tool access: what XCP and diagnosis of the firmware need on a host. Keys are those of a key file, or the
+// public test keys.
 #pragma once
 
 #include <array>
@@ -18,7 +18,6 @@
 #include "rsi/ecu/diagnosis/diagnosis.hpp"
 #include "rsi/ecu/diagnosis/section_store.hpp"
 #include "rsi/types.hpp"
-#include "rsi/version.h"
 
 namespace sil {
 
@@ -46,12 +45,12 @@ class NvFile final : public rsi::hal::Storage {
     rsi::hal::MemoryStorage<longest> memory_;
 };
 
-// For XCP.
+// For XCP. `key`: a key file, or test_key_name; InputError for one that cannot be used.
 class CalibrationAccess {
  public:
     // `folder`: where the stored section and the count of wrong keys are kept; empty: in memory only.
     CalibrationAccess(const rsi::Parameters& parameters, const std::string& name,
-                      const std::filesystem::path& folder);
+                      const std::filesystem::path& folder, const std::filesystem::path& key);
     CalibrationAccess(const CalibrationAccess&) = delete;
     CalibrationAccess& operator=(const CalibrationAccess&) = delete;
 
@@ -66,7 +65,7 @@ class CalibrationAccess {
     NvFile one_;
     NvFile other_;
     rsi::application::SectionRecord stored_section_{one_, other_};
-    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
+    rsi::hal::SoftwareKeys keys_;
     rsi::hal::SystemRandom random_{};
     rsi::access::SeedAndKey seed_and_key_{keys_, rsi::hal::KeySlot::calibration, random_, attempts_};
 };
@@ -78,19 +77,7 @@ class DiagnosisAccess {
     // kept; empty: in memory only. `section`: where XCP stores its section, if it does, and then a download
     // too.
     DiagnosisAccess(const std::string& calibration_name, const std::filesystem::path& folder,
-                    rsi::application::SectionRecord* section)
-        : one_{folder, "diagnosis_1.bin"},
-          other_{folder, "diagnosis_2.bin"},
-          attempts_{folder, "diagnosis_attempts.bin"},
-          section_one_{folder, "parameters_1.bin"},
-          section_other_{folder, "parameters_2.bin"},
-          store_{(section != nullptr) ? *section : own_section_} {
-        seed_and_key_.start();
-        identification_.software_version = rsi::diagnosis::text_of<rsi::diagnosis::ShortText>(RSI_VERSION);
-        identification_.hardware = rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("Linux host");
-        calibration_name.copy(identification_.calibration_name.data(),
-                              identification_.calibration_name.size());
-    }
+                    rsi::application::SectionRecord* section, const std::filesystem::path& key);
     DiagnosisAccess(const DiagnosisAccess&) = delete;
     DiagnosisAccess& operator=(const DiagnosisAccess&) = delete;
 
@@ -109,7 +96,7 @@ class DiagnosisAccess {
     NvFile section_other_;
     rsi::application::SectionRecord own_section_{section_one_, section_other_};
     rsi::diagnosis::SectionStore store_;
-    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
+    rsi::hal::SoftwareKeys keys_;
     rsi::hal::SystemRandom random_{};
     rsi::access::SeedAndKey seed_and_key_{keys_, rsi::hal::KeySlot::diagnosis, random_, attempts_};
     rsi::diagnosis::Identification identification_{};

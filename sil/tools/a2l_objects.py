@@ -1,16 +1,15 @@
-"""Parameters and outputs of an A2L, as pya2l reads it."""
+"""Parameters and outputs of an A2L that sil/exchange/a2l/write has written. A parser of all of ASAP2 would be more than the
+rest of the tools together."""
 
 import dataclasses
-import json
-import pathlib
+import re
 import struct
-import subprocess
-import sys
-import tempfile
 
+import file_io
 from log_error import LogError
 
 FORMS = {"RL_value": "<f", "RL_selection": "<I", "FLOAT32_IEEE": "<f", "UBYTE": "<B", "ULONG": "<I"}
+BLOCKS = ("COMPU_METHOD", "COMPU_VTAB", "CHARACTERISTIC", "MEASUREMENT")
 KINDS = {"<f": "F32", "<B": "U8", "<I": "U32"}  # as pyxcp calls them
 
 
@@ -25,9 +24,14 @@ class Object:
     largest: float
     unit: str
     choices: list  # texts of its numbers, from 0; empty for a number
+    mask: int = 0  # of a bit in its byte
+
+    def number(self, data):
+        value, = struct.unpack(self.form, data)
+        return int(value & self.mask != 0) if self.mask else value
 
     def decoded(self, data):
-        value, = struct.unpack(self.form, data)
+        value = self.number(data)
         return self.choices[value] if self.choices and value < len(self.choices) else value
 
     def encoded(self, text):
@@ -51,48 +55,48 @@ class File:
     answer_identifier: int
 
 
-def module_of(path):
-    """pya2l's JSON of its only module."""
-    with tempfile.TemporaryDirectory() as folder:
-        output = pathlib.Path(folder) / "a2l.json"
-        finished = subprocess.run([pathlib.Path(sys.executable).parent / "pya2l", path, "to_json", "-o", output],
-                                  capture_output=True, text=True, check=False)
-        if finished.returncode != 0 or not output.is_file():
-            raise LogError(f"{path}: pya2l does not read it: {(finished.stdout + finished.stderr).strip()[-300:]}")
-        return json.loads(output.read_text())["PROJECT"]["MODULE"][0]
+def _blocks(text):
+    """Words of each block by its keyword; texts without their quotes."""
+    found, keyword, words = {key: [] for key in BLOCKS}, None, []
+    for line in text.splitlines():
+        new = [quoted or word for quoted, word in re.findall(r'"([^"]*)"|([^\s"]+)', line)]
+        if new[:1] == ["/begin"] and new[1:] and new[1] in BLOCKS:
+            keyword, words = new[1], new[2:]
+        elif keyword and new == ["/end", keyword]:
+            found[keyword].append(words)
+            keyword = None
+        elif keyword:
+            words += new
+    return found
 
 
-def _text(entry, key):
-    return entry.get(key, {}).get("Value", "")
+def _after(text, tag):
+    """The word or text behind the only such tag in a line of its own."""
+    found = re.findall(rf'^ *{tag} "?([^"\n]+)"?$', text, re.M)
+    return found[0]
 
 
-def _identifiers(module):
-    """CAN_ID_MASTER and CAN_ID_SLAVE of IF_DATA XCP."""
-    for data in module["IF_DATA"]:
-        for blob in data["Blob"]:
-            if blob["Generic"]["Name"]["Value"] == "XCP_ON_CAN":
-                elements = [element.get("Identifier", {}).get("Value") or int(element.get("Long", {}).get("Value", 0))
-                            for element in blob["Generic"]["Element"]]
-                return [elements[elements.index(tag) + 1] for tag in ("CAN_ID_MASTER", "CAN_ID_SLAVE")]
-    raise LogError("the A2L has no XCP_ON_CAN")
+def _parsed(text):
+    units, tables, objects, blocks = {}, {}, {}, _blocks(text)
+    for name, _, kind, _, *rest in blocks["COMPU_METHOD"]:
+        units[name] = rest[0] if kind == "RAT_FUNC" and rest[0] != "COEFFS" else ""
+    for name, _, _, _, *pairs in blocks["COMPU_VTAB"]:
+        tables[name.removeprefix("VT_")] = pairs[1::2]
+    for name, meaning, _, address, layout, _, method, least, largest, *_ in blocks["CHARACTERISTIC"]:
+        objects[name] = Object(name, True, meaning, int(address, 0), FORMS[layout], float(least), float(largest),
+                               units[method], tables.get(name, []))
+    for name, meaning, kind, method, _, _, least, largest, *tagged in blocks["MEASUREMENT"]:
+        told = dict(zip(tagged[::2], tagged[1::2]))
+        objects[name] = Object(name, False, meaning, int(told["ECU_ADDRESS"], 0), FORMS[kind], float(least), float(largest),
+                               units[method], tables.get(method.removeprefix("CM_"), []), int(told.get("BIT_MASK", "0"), 0))
+    return File(objects, _after(text, "EPK"), int(_after(text, "ADDR_EPK"), 0), int(_after(text, "CAN_ID_MASTER"), 0),
+                int(_after(text, "CAN_ID_SLAVE"), 0))
 
 
 def read(path):
-    if not pathlib.Path(path).is_file():
-        raise LogError(f"there is no {path}; make it: cmake --build --preset release --target a2l")
-    module = module_of(path)
-    units = {_text(method, "Name"): _text(method, "Unit") for method in module["COMPU_METHOD"]}
-    tables = {_text(table, "Name")[3:]: [_text(pair, "OutVal") for pair in table["InValOutVal"]]
-              for table in module["COMPU_VTAB"]}
-    objects = {}
-    for kind in ("CHARACTERISTIC", "MEASUREMENT"):
-        for entry in module[kind]:
-            name, is_parameter = _text(entry, "Name"), kind == "CHARACTERISTIC"
-            address = entry["Address"] if is_parameter else entry["ECU_ADDRESS"]["Address"]
-            data_type = _text(entry, "Deposit" if is_parameter else "DataType")
-            objects[name] = Object(name, is_parameter, _text(entry, "LongIdentifier"), int(address["Value"]), FORMS[data_type],
-                                   float(entry["LowerLimit"].get("Value", 0)), float(entry["UpperLimit"].get("Value", 0)),
-                                   units[_text(entry, "Conversion")], tables.get(name, []))
-    memory = module["MOD_PAR"]
-    return File(objects, memory["EPK"]["Identifier"]["Value"], int(memory["ADDR_EPK"][0]["Address"]["Value"]),
-                *_identifiers(module))
+    try:
+        return _parsed(file_io.read(path))
+    except FileNotFoundError:
+        raise LogError(f"there is no {path}; make it: cmake --build --preset release --target a2l") from None
+    except (KeyError, ValueError, IndexError):
+        raise LogError(f"{path} is no A2L of this project; make it: cmake --build --preset release --target a2l") from None

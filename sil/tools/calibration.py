@@ -11,7 +11,9 @@ sys.path[:0] = [str(HERE.parents[1] / folder) for folder in ("cmake/environment"
 
 import a2l_objects
 import file_io
+import key_file
 import picture
+import simulated_bus
 from log_error import LogError
 
 A2L = HERE.parents[1] / "build/release/sil/rsi-ecu.a2l"
@@ -29,7 +31,8 @@ def parse(arguments):
     common = argparse.ArgumentParser(add_help=False)
     common.add_argument("--interface", default="can0", metavar="NAME")
     common.add_argument("--a2l", default=A2L, type=pathlib.Path, metavar="FILE")
-    common.add_argument("--key", type=bytes.fromhex, metavar="HEX")
+    common.add_argument("--key", default=key_file.TEST, type=pathlib.Path, metavar="FILE")
+    simulated_bus.add_options(common, after=1.0)
     parser = argparse.ArgumentParser(prog="sil/tools/calibrate", epilog="More: sil/tools/calibrate --help", add_help=False)
     commands = parser.add_subparsers(dest="command", required=True)
     for name in ("compare", "reset", "store"):
@@ -45,8 +48,8 @@ def parse(arguments):
     measure.add_argument("--seconds", required=True, type=positive, metavar="N")
     measure.add_argument("--output", required=True, type=pathlib.Path, metavar="FILE")
     options = parser.parse_args(arguments)
-    if options.key is not None and len(options.key) != 16:
-        parser.error("--key wants 16 bytes, which are 32 digits")
+    if not 0.0 <= options.after <= 3600.0:
+        parser.error("--after wants 0 to 3600 seconds")
     if options.command == "write" and any("=" not in change for change in options.changes):
         parser.error("write wants NAME=VALUE")
     if options.command == "measure" and options.output.suffix not in WRITERS:
@@ -67,7 +70,7 @@ def write_csv(path, times, columns, _objects):
 
 
 def write_mf4(path, times, columns, objects):
-    import asammdf
+    import asammdf  # large; installed where such a file is wanted
     import numpy
 
     with asammdf.MDF(version="4.10") as measured:
@@ -102,7 +105,7 @@ def wait(seconds):
     print(file=sys.stderr)
 
 
-def measure(session, options, wait_for=wait):
+def measure(session, options, wait_for):
     times, columns = session.measure(options.names, lambda: wait_for(options.seconds))
     if not times:
         raise LogError("no sample has come; does the ECU run?")
@@ -111,7 +114,7 @@ def measure(session, options, wait_for=wait):
     print(f"{options.output}: {len(times)} samples, {missing} missing, overload reported {session.samples.overloads} times")
 
 
-def run(session, options):
+def run(session, options, wait_for):
     objects = session.a2l.objects
     if options.command == "read":
         names = options.names or [name for name, entry in objects.items() if entry.is_parameter]
@@ -135,17 +138,20 @@ def run(session, options):
     elif options.command == "store":
         session.store()
     else:
-        measure(session, options)
+        measure(session, options, wait_for)
 
 
 def main(arguments):
     options = parse(arguments)
     try:
         a2l = a2l_objects.read(options.a2l)
+        key = key_file.read(options.key, "calibration")
         import xcp_session  # takes a second
 
-        with xcp_session.Session(a2l, options.interface, options.key or xcp_session.TEST_KEY) as session:
-            run(session, options)
+        with simulated_bus.driven(options) as bus:
+            interface = options.interface if bus is None else simulated_bus.Interface(bus)
+            with xcp_session.Session(a2l, interface, key) as session:
+                run(session, options, wait if bus is None else lambda seconds: bus.run(round(seconds / CYCLE_S)))
     except LogError as error:
         sys.exit(f"sil/tools/calibrate: {error}")
     except OSError as error:

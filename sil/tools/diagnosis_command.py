@@ -10,8 +10,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parents[1]
 sys.path.insert(0, str(PROJECT / "cmake/environment"))
 
-import odx_tables
 import file_io
+import key_file
+import odx_tables
+import simulated_bus
 from log_error import LogError
 
 
@@ -21,13 +23,17 @@ def parse(arguments):
     for name in ("codes", "clear", "identify", "self-test", "download", "verify"):
         command = commands.add_parser(name, add_help=False)
         command.add_argument("--interface", default="can0", metavar="IF")
-        command.add_argument("--key", metavar="HEX")
+        command.add_argument("--key", default=key_file.TEST, type=pathlib.Path, metavar="FILE")
+        simulated_bus.add_options(command, after=3.0)
         if name == "download":
             command.add_argument("section", type=pathlib.Path, metavar="SECTION.bin")
         if name == "verify":
             command.add_argument("calibration", type=pathlib.Path, metavar="FILE")
     commands.add_parser("pdx", add_help=False).add_argument("--output", required=True, type=pathlib.Path, metavar="FILE.pdx")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.command != "pdx" and not 0.0 <= options.after <= 3600.0:
+        parser.error("--after wants 0 to 3600 seconds")
+    return options
 
 
 def write_pdx(output, tables):
@@ -60,7 +66,9 @@ def main(arguments):
         import uds_client
 
         wanted = section_of(options.calibration) if options.command == "verify" else b""
-        with uds_client.on_can(options.interface, tables, uds_client.key_from(options.key)) as tester:
+        key = key_file.read(options.key, "diagnosis")
+        with simulated_bus.driven(options) as bus, (uds_client.on_can(options.interface, tables, key) if bus is None else
+                                                    uds_client.in_process(bus, tables, key)) as tester:
             if options.command == "download":
                 uds_client.download(tester, tables, options.section)
             elif options.command == "verify":

@@ -8,9 +8,13 @@ from odxtools import writepdxfile
 from odxtools.compumethods.compucategory import CompuCategory
 from odxtools.compumethods.compuinternaltophys import CompuInternalToPhys
 from odxtools.compumethods.compurationalcoeffs import CompuRationalCoeffs
+from odxtools.compumethods.compuconst import CompuConst
+from odxtools.compumethods.compudefaultvalue import CompuDefaultValue
 from odxtools.compumethods.compuscale import CompuScale
 from odxtools.compumethods.identicalcompumethod import IdenticalCompuMethod
+from odxtools.compumethods.limit import Limit
 from odxtools.compumethods.linearcompumethod import LinearCompuMethod
+from odxtools.compumethods.texttablecompumethod import TexttableCompuMethod
 from odxtools.database import Database
 from odxtools.dataobjectproperty import DataObjectProperty
 from odxtools.diagdatadictionaryspec import DiagDataDictionarySpec
@@ -18,27 +22,37 @@ from odxtools.diaglayercontainer import DiagLayerContainer
 from odxtools.diaglayers.basevariant import BaseVariant
 from odxtools.diaglayers.basevariantraw import BaseVariantRaw
 from odxtools.diaglayers.diaglayertype import DiagLayerType
+from odxtools.diaglayers.ecuvariant import EcuVariant
+from odxtools.diaglayers.ecuvariantraw import EcuVariantRaw
 from odxtools.diagnostictroublecode import DiagnosticTroubleCode
 from odxtools.diagservice import DiagService
 from odxtools.dtcdop import DtcDop
+from odxtools.ecuvariantpattern import EcuVariantPattern
 from odxtools.endofpdufield import EndOfPduField
+from odxtools.matchingparameter import MatchingParameter
 from odxtools.nameditemlist import NamedItemList
 from odxtools.odxlink import DocType, OdxDocFragment, OdxLinkId, OdxLinkRef
 from odxtools.odxtypes import DataType
 from odxtools.parameters.codedconstparameter import CodedConstParameter
 from odxtools.parameters.valueparameter import ValueParameter
+from odxtools.parentref import ParentRef
 from odxtools.physicaltype import PhysicalType
 from odxtools.request import Request
 from odxtools.response import Response, ResponseType
 from odxtools.standardlengthtype import StandardLengthType
 from odxtools.structure import Structure
 from odxtools.text import Text
+from odxtools.uds import NegativeResponseCodes
 from odxtools.unit import Unit
 from odxtools.unitspec import UnitSpec
 
+import odx_communication
 from odx_tables import name_of_trouble_code
+from uds_client import REFUSALS
 
 NAME = "rollover_ecu"
+VARIANT = "rollover_ecu_variant"
+SYSTEM = "Rollover warning"
 FRAGMENTS = (OdxDocFragment(NAME, DocType.CONTAINER), OdxDocFragment(NAME, DocType.LAYER))
 SESSIONS = {1: "default", 2: "programming", 3: "extended"}
 
@@ -61,11 +75,12 @@ class Layer:
     def __init__(self, tables):
         self.tables = tables
         self.dops, self.structures, self.fields, self.units = [], [], [], {}
-        self.requests, self.responses, self.services = [], [], []
+        self.requests, self.responses, self.refusals, self.services = [], [], [], []
         self.byte = self.number("byte", 8)
         self.word = self.number("word", 16)
         self.three_bytes = self.number("three_bytes", 24)
         self.codes = self.code_property()
+        self.reason = self.choice("reason", {code.value: short(code.name) for code in NegativeResponseCodes})
         # Content of a snapshot, in the order of the bytes.
         self.frame = [("lateral_acceleration", self.scaled("lateral_acceleration", 0.01, "m/s^2")),
                       ("roll_rate", self.scaled("roll_rate", 0.001, "rad/s")),
@@ -93,6 +108,24 @@ class Layer:
         kind = DataType.A_FLOAT32
         same = IdenticalCompuMethod(category=CompuCategory.IDENTICAL, physical_type=kind, internal_type=kind)
         return self.property_of(name, same, coded(32, kind), kind, unit)
+
+    def choice(self, name, texts, bits=8):
+        """A number with a text for each of its values; another value reads as its `other`."""
+        internal, physical = DataType.A_UINT32, DataType.A_UNICODE2STRING
+        scales = [CompuScale(lower_limit=Limit(value_raw=str(value), value_type=internal),
+                             upper_limit=Limit(value_raw=str(value), value_type=internal),
+                             compu_const=CompuConst(vt=text, data_type=physical), domain_type=internal, range_type=physical)
+                  for value, text in texts.items()]
+        other = CompuDefaultValue(vt="other", data_type=physical)
+        method = TexttableCompuMethod(category=CompuCategory.TEXTTABLE, physical_type=physical, internal_type=internal,
+                                      compu_internal_to_phys=CompuInternalToPhys(compu_scales=scales, compu_default_value=other))
+        return self.property_of(name, method, coded(bits), physical)
+
+    def text_of(self, name, length):
+        """ASCII, filled with zeros."""
+        internal, physical = DataType.A_ASCIISTRING, DataType.A_UNICODE2STRING
+        same = IdenticalCompuMethod(category=CompuCategory.IDENTICAL, physical_type=physical, internal_type=internal)
+        return self.property_of(name, same, coded(8 * length, internal), physical)
 
     def bytes_of(self, name, length):
         kind = DataType.A_BYTEFIELD
@@ -146,9 +179,13 @@ class Layer:
         self.responses.append(Response(short_name=f"{name}_answer", odx_id=link("answer", name),
                                        response_type=ResponseType.POSITIVE,
                                        parameters=NamedItemList(answer + list(answered))))
+        refusal = [self.constant("negative", 0x7F, 0), self.constant("service", head[0], 1), self.value("reason", self.reason, 2)]
+        self.refusals.append(Response(short_name=f"{name}_refusal", odx_id=link("refusal", name),
+                                      response_type=ResponseType.NEGATIVE, parameters=NamedItemList(refusal)))
         self.services.append(DiagService(short_name=name, odx_id=link("service", name),
                                          request_ref=OdxLinkRef.from_id(self.requests[-1].odx_id),
-                                         pos_response_refs=[OdxLinkRef.from_id(self.responses[-1].odx_id)]))
+                                         pos_response_refs=[OdxLinkRef.from_id(self.responses[-1].odx_id)],
+                                         neg_response_refs=[OdxLinkRef.from_id(self.refusals[-1].odx_id)]))
 
 
 def split(identifier):
@@ -196,17 +233,18 @@ def add_data(layer):
     constants = layer.tables.constants
     for identifier, length, name in layer.tables.texts:
         layer.service(f"read_{short(name)}", [0x22, *split(identifier)],
-                      answered=[layer.value(name, layer.bytes_of(name, length))])
+                      answered=[layer.value(name, layer.text_of(name, length))])
     for identifier, name, unit in layer.tables.numbers:
         layer.service(f"read_{name}", [0x22, *split(identifier)], answered=[layer.value(name, layer.real(name, unit))])
-    for identifier, name, _ in layer.tables.choices:
-        layer.service(f"read_{name}", [0x22, *split(identifier)], answered=[layer.value(name, layer.byte)])
+    for identifier, name, texts in layer.tables.choices:
+        layer.service(f"read_{name}", [0x22, *split(identifier)],
+                      answered=[layer.value(name, layer.choice(name, dict(enumerate(texts))))])
     layer.service("read_session", [0x22, *split(constants["active_session_identifier"])],
-                  answered=[layer.value("session", layer.byte)])
+                  answered=[layer.value("session", layer.choice("session", SESSIONS))])
     layer.service("read_calibration_checksum", [0x22, *split(constants["calibration_checksum_identifier"])],
                   answered=[layer.value("calibration_checksum", layer.number("checksum", 32))])
-    for name, length in (("vehicle_number", 17), ("programming_date", 4)):
-        dop = layer.bytes_of(name, length)
+    for name, dop in (("vehicle_number", layer.text_of("vehicle_number", 17)),
+                      ("programming_date", layer.bytes_of("programming_date", 4))):
         identifier = split(constants[f"{name}_identifier"])
         layer.service(f"read_{name}", [0x22, *identifier], answered=[layer.value(name, dop)])
         layer.service(f"write_{name}", [0x2E, *identifier], asked=[layer.value(name, dop)])
@@ -217,7 +255,7 @@ def add_routines(layer):
     check = split(layer.tables.constants["check_section_routine"])
     layer.service("self_test", [0x31, 0x01, *self_test], answered=[layer.value("found", layer.byte)])
     layer.service("self_test_results", [0x31, 0x03, *self_test], answered=[layer.value("found", layer.byte)])
-    layer.service("check_section", [0x31, 0x01, *check], answered=[layer.value("refusal", layer.byte)])
+    layer.service("check_section", [0x31, 0x01, *check], answered=[layer.value("refusal", layer.choice("refusal", dict(enumerate(REFUSALS))))])
     # Not compressed, an address of a byte, a length of two.
     layer.service("request_download", [0x34, 0x00, 0x21, 0x00, *split(layer.tables.constants["section_length"])], echoed=1,
                   answered=[layer.value("format", layer.byte), layer.value("longest_block", layer.word)])
@@ -225,6 +263,15 @@ def add_routines(layer):
     layer.service("transfer_data", [0x36], asked=[layer.value("block", layer.byte), layer.value("data", rest)],
                   answered=[layer.value("block", layer.byte)])
     layer.service("transfer_exit", [0x37])
+
+
+def variant_of(base):
+    """The only one; a tester knows it by its name."""
+    system = MatchingParameter(expected_value=SYSTEM, diag_comm_snref="read_system_name", out_param_if_snref="system_name")
+    raw = EcuVariantRaw(short_name=VARIANT, odx_id=OdxLinkId(VARIANT, FRAGMENTS[:1]), variant_type=DiagLayerType.ECU_VARIANT,
+                        ecu_variant_patterns=[EcuVariantPattern(matching_parameters=[system])],
+                        parent_refs=[ParentRef(layer_ref=OdxLinkRef.from_id(base.odx_id))])
+    return EcuVariant(diag_layer_raw=raw)
 
 
 def database_of(tables):
@@ -237,13 +284,23 @@ def database_of(tables):
         dtc_dops=NamedItemList([layer.codes]), data_object_props=NamedItemList(layer.dops),
         structures=NamedItemList(layer.structures), end_of_pdu_fields=NamedItemList(layer.fields),
         unit_spec=UnitSpec(units=NamedItemList(layer.units.values())))
+    subset = odx_communication.subset_of(tables.constants)
+    spec = odx_communication.spec_of(subset)
+    protocol = odx_communication.protocol_of(spec, FRAGMENTS[:1])
     raw = BaseVariantRaw(short_name=NAME, odx_id=OdxLinkId(NAME, FRAGMENTS[:1]), variant_type=DiagLayerType.BASE_VARIANT,
                          diag_data_dictionary_spec=dictionary, diag_comms_raw=layer.services,
-                         requests=NamedItemList(layer.requests), positive_responses=NamedItemList(layer.responses))
+                         requests=NamedItemList(layer.requests), positive_responses=NamedItemList(layer.responses),
+                         negative_responses=NamedItemList(layer.refusals),
+                         comparam_refs=odx_communication.references_of(tables.constants),
+                         parent_refs=[ParentRef(layer_ref=OdxLinkRef.from_id(protocol.odx_id))])
+    base = BaseVariant(diag_layer_raw=raw)
     container = DiagLayerContainer(short_name=NAME, odx_id=OdxLinkId(f"container.{NAME}", FRAGMENTS[:1]),
-                                   base_variants=NamedItemList([BaseVariant(diag_layer_raw=raw)]))
+                                   protocols=NamedItemList([protocol]), base_variants=NamedItemList([base]),
+                                   ecu_variants=NamedItemList([variant_of(base)]))
     database = Database()
     database.short_name = NAME
+    database.comparam_subsets.append(subset)
+    database.comparam_specs.append(spec)
     database.diag_layer_containers = NamedItemList([container])
     database.refresh()
     return database

@@ -2,9 +2,18 @@
 file."""
 
 import dataclasses
+import pathlib
 import subprocess
+import sys
 
 import cantools
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(PROJECT / folder) for folder in ("cmake/environment", "sil/exchange/a2l", "sil/exchange/fmu")]
+
+import model  # noqa: E402
+
+HEADER = PROJECT / "firmware/rsi/rsi.h"
 
 
 @dataclasses.dataclass
@@ -13,7 +22,7 @@ class Tables:
     codes: dict  # trouble code to the name of the diagnostic code
     texts: list  # (identifier, length, name)
     numbers: list  # (identifier, name, unit)
-    choices: list  # (identifier, name, largest)
+    choices: list  # (identifier, name, texts of its numbers)
     services: list
     sub_functions: list  # (service, number)
 
@@ -44,7 +53,9 @@ def read(program, dbc):
         elif kind == "number":
             tables.numbers.append((int(fields[0]), fields[1], fields[2]))
         elif kind == "choice":
-            tables.choices.append((int(fields[0]), fields[1], int(fields[2])))
+            identifier, name, largest, meaning = fields
+            explained = model.meanings_of([("output", name, meaning)], HEADER)["output", name]
+            tables.choices.append((int(identifier), name, model.choices_of(explained, int(largest))))
         elif kind == "service":
             tables.services.append(int(fields[0]))
         elif kind == "sub":

@@ -14,10 +14,12 @@ from udsoncan import DataFormatIdentifier, MemoryLocation, services
 from udsoncan.client import Client
 from udsoncan.connections import PythonIsoTpConnection
 
+import key_file
+import simulated_bus
 from log_error import LogError
 from odx_tables import name_of_trouble_code
 
-TEST_KEY = b"test key for UDS"
+TEST_KEY = key_file.TEST_KEYS["diagnosis"]
 IN_MEMORY = 0x0C  # confirmed or pending
 NOT_AVAILABLE = -32768
 
@@ -50,18 +52,6 @@ IDENTIFIERS = {0xF197: ("system", Text(16)), 0xF195: ("software version", Text(1
                0xF191: ("hardware", Text(16)), 0xF18C: ("serial number", Text(16)), 0xF190: ("vehicle number", Text(17))}
 
 
-def key_from(digits):
-    if digits is None:
-        return TEST_KEY
-    try:
-        key = bytes.fromhex(digits)
-    except ValueError:
-        key = b""
-    if len(key) != 16:
-        raise LogError("--key wants 32 hexadecimal digits, which are 16 bytes")
-    return key
-
-
 def client(connection, tables, key=TEST_KEY):
     """A client of udsoncan that knows the ECU's identifiers and its key."""
     def answer(level, seed, params):
@@ -87,7 +77,8 @@ def on_can(interface, tables, key):
         bus = can.Bus(interface="socketcan", channel=interface,
                       can_filters=[{"can_id": response, "can_mask": 0x7FF, "extended": False}])
     except (OSError, can.CanError) as error:
-        raise LogError(f"cannot open the CAN interface {interface} ({error}); `ip link` shows those that are there") from error
+        raise LogError(f"cannot open the CAN interface {interface} ({error}); `ip link` shows those that are there, "
+                       "--in-process needs none") from error
     address = isotp.Address(isotp.AddressingMode.Normal_11bits, rxid=response, txid=request)
     try:
         stack = isotp.CanStack(bus, address=address, params={"tx_padding": 0xCC})
@@ -95,6 +86,14 @@ def on_can(interface, tables, key):
             yield tester
     finally:
         bus.shutdown()
+
+
+@contextlib.contextmanager
+def in_process(bus, tables, key):
+    """A client on a simulated_bus. Errors are LogErrors."""
+    connection = simulated_bus.IsoTpConnection(bus, tables.constants["physical_request"], tables.constants["response"])
+    with client(connection, tables, key) as tester, reported():
+        yield tester
 
 
 @contextlib.contextmanager

@@ -7,6 +7,7 @@ import struct
 import time
 
 import can
+import key_file
 import pyxcp.config
 import pyxcp.master
 import pyxcp.types
@@ -17,7 +18,7 @@ from log_error import LogError
 from pyxcp.daq_stim import DaqList, DaqProcessor
 from pyxcp.transport.base import FrameAcquisitionPolicy, FrameCategory
 
-TEST_KEY = b"test key for XCP"
+TEST_KEY = key_file.TEST_KEYS["calibration"]
 CALIBRATION = 0x01  # the resource; measurement is unlocked with it
 ECU, MASTER = 0x01, 0x02
 WORKING, REFERENCE = 0, 1
@@ -67,7 +68,7 @@ class Session:
             with contextlib.redirect_stdout(io.StringIO()):  # pyxcp's thoughts about the interface
                 self.xcp.__enter__()
         except can.CanError as error:
-            raise LogError(f"the interface cannot be used: {error}; --interface names another") from None
+            raise LogError(f"the interface cannot be used: {error}; --interface names another, --in-process needs none") from None
         try:
             self.xcp.connect()
         except pyxcp.types.XcpTimeoutError:
@@ -227,5 +228,5 @@ class Session:
                 for byte in range(struct.calcsize(entry.form)):
                     number, at = places[entry.address + byte]
                     data.append(sample[number][at])
-                columns[entry.name].append(struct.unpack(entry.form, data)[0])
+                columns[entry.name].append(entry.number(bytes(data)))
         return times, columns

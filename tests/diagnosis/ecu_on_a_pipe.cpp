@@ -18,6 +18,7 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/apps/tool_access.hpp"
+#include "sil/files/key_file.hpp"
 #include "tests/application/bench.hpp"
 
 namespace {
@@ -26,7 +27,9 @@ using testing_application::frame_of;
 
 class EcuOnAPipe {
  public:
-    explicit EcuOnAPipe(const char* folder) : access_{"large_suv", folder, nullptr} { start(true); }
+    explicit EcuOnAPipe(const char* folder) : access_{"large_suv", folder, nullptr, sil::test_key_name} {
+        start(true);
+    }
 
     void take(const std::string& line) {
         if (line.rfind("speed ", 0U) == 0U) {

@@ -16,22 +16,27 @@ import unittest
 import zlib
 
 import odxtools
+from cryptography.hazmat.primitives import cmac
+from cryptography.hazmat.primitives.ciphers import algorithms
+from odxtools.variantmatcher import VariantMatcher
 from udsoncan import services
 from udsoncan.exceptions import NegativeResponseException
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parents[1]
-sys.path.insert(0, str(PROJECT / "sil/tools"))
+sys.path[:0] = [str(PROJECT / "sil/tools"), str(PROJECT / "cmake/environment")]
 
 import odx
 import odx_tables
 import pipe_tester
+import simulated_bus
 import uds_client
 from log_error import LogError
 
 PROGRAM, SECTION, TABLES = "", b"", None
 IMU_LOST = 0xD12087
 FAILED_NOW = 0x2F
+PENDING = "ResponsePending"
 
 
 
@@ -43,7 +48,7 @@ class Peer(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.ecu = pipe_tester.Ecu(PROGRAM, self.folder.name)
         self.addCleanup(lambda: self.ecu.close())
-        self.connection = pipe_tester.PipeConnection(self.ecu, **self.stack)
+        self.connection = simulated_bus.IsoTpConnection(self.ecu, pipe_tester.PHYSICAL, pipe_tester.RESPONSE, **self.stack)
         self.client = uds_client.client(self.connection, TABLES)
         self.ecu.run(250)  # long enough to miss the sensors
 
@@ -224,9 +229,6 @@ class Peer(unittest.TestCase):
             with uds_client.reported():
                 self.client.change_session(1)
                 self.client.ecu_reset(1)
-        for wrong in ("", "00", "zz" * 16):
-            with self.assertRaisesRegex(LogError, "32 hexadecimal digits"):
-                uds_client.key_from(wrong)
 
 
 class WithBlocksAndGaps(Peer):
@@ -246,9 +248,10 @@ class Odx(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         file = pathlib.Path(cls.folder.name) / "ecu.pdx"
         file.write_bytes(odx.pdx_of(TABLES))
-        cls.layer = odxtools.load_pdx_file(str(file)).base_variants[0]
+        cls.database = odxtools.load_pdx_file(str(file))
+        cls.layer = cls.database.ecu_variants[0]
         cls.ecu = pipe_tester.Ecu(PROGRAM, cls.folder.name)
-        cls.connection = pipe_tester.PipeConnection(cls.ecu)
+        cls.connection = simulated_bus.IsoTpConnection(cls.ecu, pipe_tester.PHYSICAL, pipe_tester.RESPONSE)
         cls.ecu.run(250)
 
     @classmethod
@@ -257,12 +260,80 @@ class Odx(unittest.TestCase):
         cls.folder.cleanup()
 
     def ask(self, name, **parameters):
+        """The decoded answer; a refusal has a reason."""
         request = self.layer.services[name].encode_request(**parameters)
         self.connection.send(request)
-        answer = self.connection.wait_frame(timeout=1)
-        messages = self.layer.decode_response(answer, request)
-        self.assertEqual(len(messages), 1, answer.hex())
-        return messages[0].param_dict
+        while True:
+            answer = self.connection.wait_frame(timeout=6)
+            messages = self.layer.decode_response(answer, request)
+            self.assertEqual(len(messages), 1, answer.hex())
+            decoded = messages[0].param_dict
+            self.assertEqual("reason" in decoded, answer[0] == 0x7F, answer.hex())
+            if decoded.get("reason") != PENDING:
+                return decoded
+
+    def unlock(self):
+        code = cmac.CMAC(algorithms.AES(b"test key for UDS"))
+        code.update(bytes(self.ask("request_seed")["seed"]))
+        self.ask("send_key", key=code.finalize())
+
+    def values_for(self, service):
+        values = {"messages": 1, "key": bytes(16), "group": 0xFFFFFF, "mask": 8, "record": 0xFF, "code": IMU_LOST, "block": 1,
+                  "data": [{"data": 0}], "vehicle_number": "WVWZZZ1JZXW000001", "programming_date": bytes((0x20, 0x26, 0x11, 0x27))}
+        return {each.short_name: values[each.short_name] for each in service.request.required_parameters}
+
+    def ask_in(self, session, service, unlocked=False):
+        """The reason of a refusal, or None."""
+        self.ask("session_default")
+        if session != "default":
+            self.ask(f"session_{session}")
+        if unlocked:
+            self.unlock()
+        answer = self.ask(service.short_name, **self.values_for(service))
+        self.ecu.run(2)  # after a reset
+        return answer.get("reason")
+
+    def test_every_answer_of_every_service_is_decoded(self):
+        self.ecu.say("speed 0")
+        self.ecu.run(10)
+        refused, answered, locked = set(), set(), {}
+        for session in ("default", "extended", "programming"):
+            for service in self.layer.services:
+                reason = self.ask_in(session, service)
+                if reason == "SecurityAccessDenied":
+                    locked.setdefault(service.short_name, session)
+                    reason = self.ask_in(session, service, unlocked=True)
+                self.assertNotIn(reason, ("other", "SecurityAccessDenied"), service.short_name)
+                (answered if reason is None else refused).add(service.short_name)
+        self.assertEqual(locked["clear_codes"], "extended")
+        self.assertEqual(locked["request_download"], "programming")
+        never = {service.short_name for service in self.layer.services} - answered
+        self.assertEqual(never, {"send_key", "check_section", "transfer_data", "transfer_exit"}, "out of sequence")
+        self.assertIn("write_vehicle_number", refused)
+
+    def test_how_to_reach_the_ecu(self):
+        constants = TABLES.constants
+        self.assertEqual((self.layer.get_can_receive_id(), self.layer.get_can_send_id(), self.layer.get_can_func_req_id()),
+                         (constants["physical_request"], constants["response"], constants["functional_request"]))
+        self.assertEqual(self.layer.get_can_baudrate(), 500000)
+        self.assertEqual([each.short_name for each in self.layer.protocols], ["UDS_on_CAN_protocol"])
+        times = self.ask("session_default")
+        self.assertEqual((int(self.layer.get_comparam("CP_P2Max").get_value()), int(self.layer.get_comparam("CP_P2Star").get_value())),
+                         (1000 * times["p2_ms"], 10000 * times["p2_star_10_ms"]))
+
+    def test_the_variant_is_found_by_its_name(self):
+        matcher = VariantMatcher(self.database.ecu_variants, use_cache=False)
+        for _, request in matcher.request_loop():
+            self.connection.send(request)
+            matcher.evaluate(self.connection.wait_frame(timeout=1))
+        self.assertTrue(matcher.has_match())
+        self.assertEqual(matcher.matching_variant, self.layer)
+
+    def test_texts_and_choices_are_words(self):
+        self.ask("session_default")
+        self.assertEqual(self.ask("read_state")["state"], "unavailable")
+        self.assertEqual(self.ask("read_session")["session"], "default")
+        self.assertEqual(self.ask("read_calibration_name")["calibration_name"].rstrip("\0"), "large_suv")
 
     def test_every_code_has_its_name(self):
         codes = {code.trouble_code: code.short_name for code in self.layer.diag_data_dictionary_spec.dtc_dops[0].dtcs}

@@ -1,11 +1,6 @@
-"""A tester of other authors, udsoncan over can-isotp, against ecu_on_a_pipe. Time is the ECU's: it stands while no reader
-waits."""
+"""ecu_on_a_pipe as a bus for simulated_bus.IsoTpConnection. Time is the ECU's: it stands while no reader waits."""
 
 import subprocess
-
-import isotp
-import udsoncan
-from udsoncan.connections import BaseConnection
 
 PHYSICAL, RESPONSE = 0x7A6, 0x7AE
 
@@ -53,55 +48,3 @@ class Ecu:
                 identifier, data = line.split("#")
                 self.waiting.append((int(identifier, 16), bytes.fromhex(data)))
         raise RuntimeError("the ECU's process has ended")
-
-
-class PipeConnection(BaseConnection):
-    """can-isotp between udsoncan and the pipe; a second passes in a hundred cycles."""
-
-    def __init__(self, ecu, **parameters):
-        super().__init__("pipe")
-        self.ecu = ecu
-        address = isotp.Address(isotp.AddressingMode.Normal_11bits, rxid=RESPONSE, txid=PHYSICAL)
-        self.stack = isotp.TransportLayerLogic(rxfn=self.receive_frame, txfn=self.send_frame, address=address,
-                                               params={"blocking_send": False, **parameters})
-
-    def receive_frame(self, timeout):
-        del timeout
-        if not self.ecu.waiting:
-            return None
-        identifier, data = self.ecu.waiting.pop(0)
-        return isotp.CanMessage(arbitration_id=identifier, data=data, dlc=len(data))
-
-    def send_frame(self, message):
-        self.ecu.send(message.arbitration_id, message.data)
-
-    def open(self):
-        return self
-
-    def close(self):
-        pass
-
-    def is_open(self):
-        return True
-
-    def empty_rxqueue(self):
-        while self.stack.available():
-            self.stack.recv()
-
-    def specific_send(self, payload, timeout=None):
-        del timeout
-        self.stack.send(payload)
-        self.stack.process(rx_timeout=0)
-
-    def specific_wait_frame(self, timeout=2):
-        """The first frame within the time-out, the whole answer within two seconds."""
-        cycles = round(timeout * 100)
-        while cycles >= 0:
-            if self.ecu.waiting:
-                cycles = 200
-            self.stack.process(rx_timeout=0)
-            if self.stack.available():
-                return bytes(self.stack.recv())
-            self.ecu.run(1)
-            cycles -= 1
-        raise udsoncan.exceptions.TimeoutException("no answer")

@@ -1,6 +1,8 @@
 // Each command's answer, byte for byte, and what is said to commands that are wrong.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
 #include <string>
 
 #include "tests/xcp/bench.hpp"
@@ -220,6 +222,45 @@ TEST(Slave, ReadsEveryOutputAndNothingBesideIt) {
     EXPECT_EQ(address, map::outputs_at + map::outputs_length);
     for (const std::uint32_t outside :
          {map::outputs_at - 1U, address, address - 3U, map::parameters_at - 1U, 0xFFFFFFFEU, 0U}) {
+        EXPECT_EQ(bench.command(Bench::with_word({0xF4, 4, 0, 0}, outside)), (Bytes{0xFE, 0x24})) << outside;
+    }
+}
+
+TEST(Slave, ReadsEveryInputAndNothingBesideIt) {
+    Bench bench;
+    bench.connect();
+    bench.cycles(200);
+    const rsi::Inputs& inputs = bench.ecu().ecu().inputs();
+    EXPECT_FALSE(std::isnan(inputs.lateral_specific_force_mps2));
+    EXPECT_FALSE(std::isnan(inputs.speed_mps));
+    std::array<float, map::inputs_length / 4U> expected{};
+    std::memcpy(expected.data(), &inputs, sizeof expected);
+    for (std::size_t place = 0U; place < expected.size(); ++place) {
+        const std::uint32_t bits = bench.word(map::inputs_at + 4U * static_cast<std::uint32_t>(place));
+        EXPECT_EQ(std::memcmp(&bits, &expected[place], sizeof bits), 0) << place;
+    }
+    const std::uint32_t behind = map::inputs_at + map::inputs_length;
+    for (const std::uint32_t outside : {map::inputs_at - 1U, behind, behind - 3U}) {
+        EXPECT_EQ(bench.command(Bench::with_word({0xF4, 4, 0, 0}, outside)), (Bytes{0xFE, 0x24})) << outside;
+    }
+}
+
+TEST(Slave, ReadsTheCodesThatAreSetAndThoseThatAreConfirmed) {
+    Bench bench;
+    bench.connect();
+    bench.cycles(200);
+    const auto set_at = [&](std::uint32_t address) {
+        return bench.word(address) | (std::uint64_t{bench.word(address + 4U)} << 32U);
+    };
+    const rsi::monitoring::DiagnosticMemory& memory = bench.ecu().ecu().diagnostic_memory();
+    EXPECT_EQ(set_at(map::codes_at), 0U);
+    EXPECT_EQ(set_at(map::codes_at + 8U), 0U);
+    bench.cycle(9U);  // too late a cycle
+    EXPECT_NE(memory.active_codes(), 0U);
+    EXPECT_EQ(set_at(map::codes_at), memory.active_codes());
+    EXPECT_EQ(set_at(map::codes_at + 8U), memory.confirmed_codes());
+    const std::uint32_t behind = map::codes_at + map::codes_length;
+    for (const std::uint32_t outside : {map::codes_at - 1U, behind, behind - 3U}) {
         EXPECT_EQ(bench.command(Bench::with_word({0xF4, 4, 0, 0}, outside)), (Bytes{0xFE, 0x24})) << outside;
     }
 }

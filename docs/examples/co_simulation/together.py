@@ -53,7 +53,7 @@ def main(folder):
         ecu.fmu.setFloat64([ecu.reference[name] for name in ecu.inputs], vehicle.numbers(ecu.inputs))
         ecu.step(number)
         vehicle.step(number)
-        state, side = ecu.fmu.getInt32([ecu.reference["state"], ecu.reference["side"]])
+        state, side = ecu.fmu.getInt64([ecu.reference["state"], ecu.reference["side"]])
         if (state, side) != said:
             print(f"{number * STEP_S:6.2f} s  ECU: {STATES[state]}{SIDES[side]}")
             said = (state, side)

@@ -9,7 +9,7 @@ import file_io
 
 # Display limits of a meaning without a range. No value is cut there.
 DISPLAYED = {"rad": (-3.2, 3.2), "m/s2": (-100.0, 100.0), "m": (-2.0, 2.0), "N.m": (-1e6, 1e6), "N.m/rad": (-1e7, 1e7),
-             "N.m.s/rad": (-1e6, 1e6), "s": (0.0, 100.0), "g": (-20.0, 20.0), "": (-20.0, 20.0)}
+             "N.m.s/rad": (-1e6, 1e6), "s": (0.0, 100.0), "g": (-20.0, 20.0), "kg": (0.0, 100000.0), "": (-20.0, 20.0)}
 
 
 @dataclasses.dataclass
@@ -21,6 +21,7 @@ class Value:
     unit: str  # as DISPLAYED has it; "" for none
     meaning: str
     choices: list  # of a code, from 0; empty for a float
+    mask: int = 0  # of a bit in a byte
 
 
 @dataclasses.dataclass
@@ -28,6 +29,8 @@ class Model:
     constants: dict
     parameters: list
     outputs: list
+    inputs: list
+    codes: list
     groups: dict  # of parameters: title to names
 
 
@@ -97,8 +100,9 @@ def read(table, header):
     constants = {row[1]: row[2] for row in rows if row[0] == "constant"}
     told = [("parameter", row[1], "") for row in rows if row[0] == "parameter"]
     told += [("output", row[1], row[5]) for row in rows if row[0] == "output"]
+    told += [("parameter", row[1], "") for row in rows if row[0] == "input"]  # explained by its field, as a parameter
     meanings = meanings_of(told, header)
-    parameters, outputs = [], []
+    parameters, outputs, inputs, codes = [], [], [], []
     for row in rows:
         if row[0] == "parameter":
             _, name, address, least, largest, choices = row
@@ -113,6 +117,13 @@ def read(table, header):
             else:
                 unit = unit_of(name, unit)
                 outputs.append(Value(name, int(address), *range_of(meaning, unit), unit, meaning, []))
+        elif row[0] == "input":
+            _, name, address, unit = row
+            meaning, unit = meanings["parameter", name], unit_of(name, unit)
+            inputs.append(Value(name, int(address), *range_of(meaning, unit), unit, meaning, []))
+        elif row[0] == "code":
+            _, name, address, mask, meaning = row
+            codes.append(Value(name.replace(" ", "_"), int(address), 0.0, 1.0, "", meaning, ["no", "yes"], int(mask)))
     groups = groups_of(header, [parameter.name for parameter in parameters])
     fill_in_meanings(parameters, groups)
-    return Model(constants, parameters, outputs, groups)
+    return Model(constants, parameters, outputs, inputs, codes, groups)

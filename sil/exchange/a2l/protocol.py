@@ -12,6 +12,7 @@ META_LANGUAGE = """\
               enum { "ADDRESS_GRANULARITY_BYTE" = 1, "ADDRESS_GRANULARITY_WORD" = 2, "ADDRESS_GRANULARITY_DWORD" = 4 };
               taggedstruct {
                 ("OPTIONAL_CMD" enum { %COMMANDS% })*;
+                "SEED_AND_KEY_EXTERNAL_FUNCTION" char[256];
               };
             };
             block "DAQ" struct {
@@ -83,6 +84,9 @@ COMMANDS = {
     "ALLOC_ODT": 0xD4, "ALLOC_ODT_ENTRY": 0xD3,
 }
 
+# The library of sil/exchange/seed_and_key, which a tool looks for beside the A2L.
+SEED_AND_KEY = "SeedNKeyXcp.dll"
+
 # The answer comes behind the next cycle of 10 ms.
 TIMEOUTS_MS = (200, 200, 200, 200, 200, 200, 200)
 
@@ -102,6 +106,7 @@ def module(constants):
         0x0101 {timeouts} {constants["packet_length"]} {constants["packet_length"]}
         BYTE_ORDER_MSB_LAST ADDRESS_GRANULARITY_BYTE
 {commands}
+        SEED_AND_KEY_EXTERNAL_FUNCTION "{SEED_AND_KEY}"
       /end PROTOCOL_LAYER
       /begin DAQ
         DYNAMIC {constants["most_lists"]} 2 0

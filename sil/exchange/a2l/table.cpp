@@ -3,13 +3,18 @@
 //   constant   NAME VALUE
 //   parameter  NAME ADDRESS LEAST LARGEST CHOICES         choices separated by commas; empty: a float
 //   output     NAME ADDRESS LARGEST UNIT MEANING          largest of a code; empty: a float
+//   input      NAME ADDRESS UNIT
+//   code       NAME ADDRESS MASK MEANING                  a bit of a byte
 #include <fmt/format.h>
 
 #include <cstring>
 #include <string>
 
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "rsi/ecu/application/calibration_epk.hpp"
 #include "rsi/ecu/application/calibration_pages.hpp"
+#include "rsi/ecu/diagnosis/data_identifiers.hpp"
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
 #include "rsi/ecu/xcp/daq.hpp"
 #include "rsi/ecu/xcp/identifiers.hpp"
 #include "rsi/parameters.hpp"
@@ -76,10 +81,32 @@ void outputs() {
 #undef RSI_CODE
 }
 
+void inputs() {
+    const rsi::Inputs all{};
+    const auto* const begin = static_cast<const char*>(static_cast<const void*>(&all));
+    for (const rsi::diagnosis::InputValue& each : rsi::diagnosis::input_values) {
+        const auto* const at = static_cast<const char*>(static_cast<const void*>(&(all.*each.member)));
+        fmt::print("input\t{}\t{}\t{}\n", each.name, map::inputs_at + static_cast<std::uint32_t>(at - begin),
+                   each.unit);
+    }
+}
+
+void codes(const char* prefix, std::uint32_t at, const char* meaning) {
+    using Diagnosis = rsi::can_dbc::RolloverDiagnosis;
+    for (std::uint32_t number = 1U; number < rsi::monitoring::diagnostic_code_count; ++number) {
+        const char* const name = Diagnosis::name_of(static_cast<Diagnosis::Code>(number));
+        fmt::print("code\t{}{}\t{}\t{}\t{}\n", prefix, name, at + number / 8U, 1U << (number % 8U), meaning);
+    }
+}
+
 }  // namespace
 
 int main() {
     constants();
     parameters();
     outputs();
+    inputs();
+    codes("code_", map::codes_at, "the monitoring has set or confirmed this diagnostic code");
+    codes("confirmed_", map::codes_at + sizeof(rsi::monitoring::CodeSet),
+          "the monitoring has confirmed this diagnostic code since the start");
 }

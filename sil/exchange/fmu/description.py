@@ -11,6 +11,9 @@ import file_io
 
 CYCLE_S = "0.01"
 
+# Units that a user would rather see, with the factor from the SI unit.
+DISPLAYED = {"rad": ("deg", 180.0 / math.pi), "rad/s": ("deg/s", 180.0 / math.pi), "m/s": ("km/h", 3.6)}
+
 # How a name ends, or what the table of outputs calls it: the unit's name for FMI, and its exponents and factor in SI.
 UNITS = {
     "kg": ("kg", {"kg": 1}), "m": ("m", {"m": 1}), "s": ("s", {"s": 1}), "hz": ("Hz", {"s": -1}),
@@ -60,9 +63,9 @@ def explain(rows, *headers):
     an "rsi_state: ..." what the values of that enumeration are."""
     text = "\n".join(file_io.read(header) for header in headers)
     comments = {}
-    field = re.compile(r"^ +(?:float|double|int32_t)\s+(\w+)(?:\{\})?;\s*(?:/\*(.*?)\*/|// ([^\n]*)$)", re.M | re.S)
+    field = re.compile(r"^ +(?:float|double|int32_t|Real)\s+(\w+)(?:\{\})?;\s*(?:/\*(.*?)\*/|// ([^\n]*)$)", re.M | re.S)
     for name, remark, line in field.findall(text):
-        comments[name] = " ".join((remark or line).split())
+        comments.setdefault(name, " ".join((remark or line).split()))
     values = {}
     for body, name in re.findall(r"typedef enum \{([^{}]*)\} (rsi_\w+);", re.sub(r"/\*.*?\*/", "", text, flags=re.S)):
         pairs = re.findall(r"(\w+)\s*=\s*(\d+)", body)
@@ -109,6 +112,8 @@ def units_of(rows):
         name, exponents = UNITS[key]
         unit = ElementTree.SubElement(element, "Unit", name=name)
         ElementTree.SubElement(unit, "BaseUnit", {base: str(exponent) for base, exponent in exponents.items()})
+        shown, factor = DISPLAYED.get(name, (name, 1.0))
+        ElementTree.SubElement(unit, "DisplayUnit", name=shown, factor=number(factor))
     return element
 
 
@@ -135,6 +140,7 @@ def attributes_of(row, reference):
     typed = {}
     if numeric and row.unit:
         typed["unit"] = UNITS[row.unit][0]
+        typed["displayUnit"] = DISPLAYED.get(typed["unit"], (typed["unit"],))[0]
     if row.least < row.largest and row.kind in ("number", "integer"):
         typed |= {"min": number(row.least), "max": number(row.largest)}
     if row.kind == "choice":

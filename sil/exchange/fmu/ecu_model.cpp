@@ -1,5 +1,7 @@
 // ECU model: the component between physical signals, without CAN.
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "rsi/parameters.hpp"
@@ -50,10 +52,29 @@ void add_inputs(Variables& table) {
     }
 }
 
+struct CodeWords {
+    const char* name;
+    std::vector<std::string> (*choices)();
+};
+
+// Codes with more than no and yes, in the words of their enumerations in rsi.h.
+constexpr CodeWords code_words[] = {
+    {"state", [] { return std::vector<std::string>{"unavailable", "ready", "advisory", "warning"}; }},
+    {"side", [] { return std::vector<std::string>{"none", "left", "right"}; }},
+    {"roll_source", [] { return std::vector<std::string>{"none", "sensor", "observer"}; }},
+};
+
 // In the order of rsi_outputs.h.
 void add_outputs(Variables& table) {
     const auto code = [&table](const char* name, double reset, double largest, const char* meaning) {
-        Variable variable = row(name, Role::output, Kind::integer, meaning);
+        const auto* const words =
+            std::find_if(std::begin(code_words), std::end(code_words),
+                         [name](const CodeWords& each) { return each.name == std::string{name}; });
+        const bool is_choice = words != std::end(code_words);
+        Variable variable = row(name, Role::output, is_choice ? Kind::choice : Kind::boolean, meaning);
+        if (is_choice) {
+            variable.choices = words->choices();
+        }
         variable.start = reset;
         variable.largest = largest;
         table.push_back(variable);
@@ -76,7 +97,7 @@ void add_outputs(Variables& table) {
 }
 
 Variables make_table() {
-    Variables table{row("time", Role::time, Kind::number, "")};
+    Variables table{row("time", Role::time, Kind::number, "simulated time")};
     add_parameters(table);
     add_inputs(table);
     add_outputs(table);

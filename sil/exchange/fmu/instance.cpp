@@ -53,7 +53,8 @@ Instance::Instance(std::string name, Log log, std::unique_ptr<Model> model)
       log_{std::move(log)},
       variables_{model->variables()},
       fresh_{std::move(model)},
-      now_{Phase::instantiated, false, 0.0, 0U, Values{variables_}, fresh_->copy()} {}
+      now_{Phase::instantiated, false, 0.0, 0U, 0.0, Values{variables_}, Values{variables_}, fresh_->copy()} {
+}
 
 bool Instance::refuse(const std::string& sentence) {
     log_(name_ + ": " + sentence);
@@ -101,12 +102,13 @@ bool Instance::terminate() {
 }
 
 bool Instance::reset() {
-    now_ = SavedState{Phase::instantiated, false, 0.0, 0U, Values{variables_}, fresh_->copy()};
+    now_ = SavedState{Phase::instantiated, false,         0.0, 0U, 0.0, Values{variables_},
+                      Values{variables_},  fresh_->copy()};
     return true;
 }
 
 double Instance::time_s() const {
-    return now_.start_s + static_cast<double>(now_.cycles) * cycle_s;
+    return now_.start_s + static_cast<double>(now_.cycles) * cycle_s + now_.into_cycle_s;
 }
 
 bool Instance::step(double now_s, double step_s) {
@@ -117,19 +119,39 @@ bool Instance::step(double now_s, double step_s) {
         return refuse("a step from " + text_of(now_s) + " s, but " + text_of(time_s()) +
                       " s is reached; step from there, or restore a state of that time");
     }
-    const double cycles = std::round(step_s / cycle_s);
-    if (!(std::abs(step_s - cycles * cycle_s) <= time_tolerance_s && cycles >= 1.0 &&
-          cycles <= most_cycles_a_step)) {
-        return refuse("a step of " + text_of(step_s) +
-                      " s; the model steps every 0.01 s, give a multiple of that");
+    if (!(step_s > 0.0 && step_s <= most_cycles_a_step * cycle_s)) {
+        return refuse("a step of " + text_of(step_s) + " s; give one above 0 and up to " +
+                      text_of(most_cycles_a_step * cycle_s) + " s, best 0.01 s");
     }
-    for (double done = 0.0; done < cycles; done += 1.0) {
-        if (!accept(now_.model->cycle(now_.values))) {
+    if (now_.into_cycle_s < time_tolerance_s) {
+        now_.sampled = now_.values;
+    }
+    now_.into_cycle_s += step_s;
+    while (now_.into_cycle_s >= cycle_s - time_tolerance_s) {
+        if (!end_cycle()) {
             return false;
         }
-        ++now_.cycles;
+        now_.sampled = now_.values;
     }
     return true;
+}
+
+bool Instance::end_cycle() {
+    if (!accept(now_.model->cycle(now_.sampled))) {
+        return false;
+    }
+    ++now_.cycles;
+    now_.into_cycle_s -= cycle_s;
+    show_outputs();
+    return true;
+}
+
+void Instance::show_outputs() {
+    for (std::size_t place = 0U; place < variables_.size(); ++place) {
+        if (variables_[place].role == Role::output) {
+            now_.values.numbers[place] = now_.sampled.numbers[place];
+        }
+    }
 }
 
 bool Instance::is_choice(std::uint32_t reference) const {
@@ -219,8 +241,8 @@ bool Instance::set(std::uint32_t reference, const char* text) {
 }
 
 SavedState Instance::copy_of(const SavedState& state) const {
-    return SavedState{state.phase,  state.outputs_known, state.start_s,
-                      state.cycles, state.values,        state.model->copy()};
+    return SavedState{state.phase,        state.outputs_known, state.start_s, state.cycles,
+                      state.into_cycle_s, state.values,        state.sampled, state.model->copy()};
 }
 
 void* Instance::keep(std::unique_ptr<SavedState> state, void* in_place_of) {

@@ -20,7 +20,9 @@ struct SavedState {
     bool outputs_known;
     double start_s;
     std::uint64_t cycles;
+    double into_cycle_s;  // time that has passed since the end of the last cycle
     Values values;
+    Values sampled;  // of the inputs at the beginning of the cycle that goes on
     std::unique_ptr<Model> model;
 };
 
@@ -39,7 +41,8 @@ class Instance {
     bool terminate();
     bool reset();
 
-    // From `now_s`, which must be the time that it has reached, on. `step_s`: a multiple of the cycle.
+    // From `now_s`, which must be the time that it has reached, on. A cycle takes the inputs of its beginning
+    // and shows its outputs from its end on, however many steps it takes.
     bool step(double now_s, double step_s);
     double time_s() const;
 
@@ -71,6 +74,8 @@ class Instance {
     bool accept(const Complaint& complaint);
     void* keep(std::unique_ptr<SavedState> state, void* in_place_of);
     bool know_outputs();
+    bool end_cycle();
+    void show_outputs();
     SavedState copy_of(const SavedState& state) const;
 
     std::string name_;

@@ -3,6 +3,7 @@ which its targets were built."""
 
 import dataclasses
 import hashlib
+import io
 import pathlib
 import re
 import subprocess
@@ -17,6 +18,8 @@ sys.path.insert(0, str(PROJECT / "cmake/environment"))
 
 import description
 import file_io
+import page
+import structure
 
 COMPILER = "/usr/bin/g++"
 OPTIONS = ("-std=c++17", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-fvisibility-inlines-hidden")
@@ -123,13 +126,6 @@ def build_description():
             '</fmiBuildDescription>\n').encode()
 
 
-def pack(path, files):
-    """The same bytes for the same files."""
-    with file_io.growing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
-
-
 def files_of(model, version, binary, rows, sources):
     """{path in the FMU: bytes}."""
     own = sources if model is ECU else {}
@@ -139,7 +135,7 @@ def files_of(model, version, binary, rows, sources):
         licence += b"\nThe headers in sources/Eigen are others': the Mozilla Public License 2.0, or what their heads say.\n"
     platform = "linux64" if version == 2 else "x86_64-linux"
     files = {"modelDescription.xml": text.encode(), f"binaries/{platform}/{binary.name}": binary.read_bytes(),
-             "documentation/licenses/license.txt": licence}
+             "documentation/index.html": page.text_of(model, rows).encode(), "documentation/licenses/license.txt": licence}
     if own and version == 3:
         files["sources/buildDescription.xml"] = build_description()
     files |= {f"sources/{name}": content for name, content in own.items()}
@@ -148,10 +144,28 @@ def files_of(model, version, binary, rows, sources):
     return files
 
 
+def content_of(files):
+    """An archive; the same bytes for the same files."""
+    with io.BytesIO() as file:
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name, content in files.items():
+                archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+        return file.getvalue()
+
+
+def structure_of(packed, rows, version):
+    """{path in the SSP: bytes}; both FMUs are of FMI 2, which SSP 1.0 knows."""
+    files = {"SystemStructure.ssd": structure.text_of(rows[VEHICLE.identifier], rows[ECU.identifier], version).encode()}
+    for model in (VEHICLE, ECU):
+        name = f"{model.identifier}_fmi2.fmu"
+        files[f"resources/{name}"] = content_of(packed[name])
+    return files
+
+
 def main(vehicle_file, calibration, output, build):
     complete(ECU, "calibration", calibration, build)
     complete(VEHICLE, "vehicle", vehicle_file, build)
-    packed = {}
+    packed, all_rows = {}, {}
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         sources = sources_of_ecu(scratch / "export")
@@ -159,14 +173,16 @@ def main(vehicle_file, calibration, output, build):
             binary = link(model, scratch)
             rows = description.table_of(binary)
             description.explain(rows, *model.headers)
+            all_rows[model.identifier] = rows
             for version in (2, 3):
                 packed[f"{model.identifier}_fmi{version}.fmu"] = files_of(model, version, binary, rows, sources)
+    packed["rollover_warning.ssp"] = structure_of(packed, all_rows, ECU.version)
     try:
         output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         sys.exit(f"sil/exchange/fmu/build: cannot make the folder {output}: {error.strerror}; give another --output")
     for name, files in packed.items():
-        pack(output / name, files)
+        file_io.write(output / name, content_of(files))
         print(output / name)
 
 

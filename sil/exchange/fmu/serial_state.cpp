@@ -74,7 +74,11 @@ std::string content(const SavedState& state, const std::string& model) {
     writer.number(static_cast<std::uint8_t>(state.outputs_known));
     writer.number(state.start_s);
     writer.number(state.cycles);
+    writer.number(state.into_cycle_s);
     for (const double number : state.values.numbers) {
+        writer.number(number);
+    }
+    for (const double number : state.sampled.numbers) {
         writer.number(number);
     }
     for (const std::string& text : state.values.texts) {
@@ -114,8 +118,13 @@ bool from_bytes(const std::string& bytes, SavedState& state) {
     const bool outputs_known = reader.number<std::uint8_t>() != 0U;
     const auto start_s = reader.number<double>();
     const auto cycles = reader.number<std::uint64_t>();
+    const auto into_cycle_s = reader.number<double>();
     Values values = state.values;
     for (double& number : values.numbers) {
+        number = reader.number<double>();
+    }
+    Values sampled = state.sampled;
+    for (double& number : sampled.numbers) {
         number = reader.number<double>();
     }
     for (std::string& text : values.texts) {
@@ -129,7 +138,10 @@ bool from_bytes(const std::string& bytes, SavedState& state) {
     state.outputs_known = outputs_known;
     state.start_s = start_s;
     state.cycles = cycles;
+    state.into_cycle_s = into_cycle_s;
+    sampled.texts = values.texts;
     state.values = std::move(values);
+    state.sampled = std::move(sampled);
     return true;
 }
 

@@ -94,7 +94,7 @@ enum Input : std::size_t { steering, speed, brake, off_throttle };
 class Table {
  public:
     Table() {
-        add("time", Role::time, Kind::number, "");
+        add("time", Role::time, Kind::number, "simulated time");
         const double* start = start_values;
         for (const sil::VehicleField& field : sil::vehicle_fields) {
             add(std::string{field.table} + "." + field.key, Role::parameter, Kind::number, "", *start++)

@@ -4,7 +4,7 @@
 //   code       NUMBER-OF-THE-DIAGNOSTIC-CODE TROUBLE-CODE
 //   text       IDENTIFIER LENGTH NAME
 //   number     IDENTIFIER NAME UNIT       float
-//   choice     IDENTIFIER NAME LARGEST    one byte
+//   choice     IDENTIFIER NAME LARGEST MEANING    one byte
 //   service    IDENTIFIER
 //   sub        SERVICE NUMBER
 #include <fmt/format.h>
@@ -14,6 +14,7 @@
 #include "rsi/ecu/diagnosis/service_table.hpp"
 #include "rsi/ecu/diagnosis/trouble_report.hpp"
 #include "rsi/ecu/diagnosis/uds_server.hpp"
+#include "rsi/rsi_outputs.h"
 
 namespace {
 
@@ -60,9 +61,12 @@ void data() {
         fmt::print("number\t{}\t{}\t{}\n", identifier++, each.name, each.unit);
     }
     identifier = rsi::diagnosis::first_code_identifier;
-    for (const rsi::CodeOutput& each : rsi::code_outputs) {
-        fmt::print("choice\t{}\t{}\t{}\n", identifier++, each.name, each.largest);
-    }
+#define RSI_CODE(name, reset, largest, risk, meaning) \
+    fmt::print("choice\t{}\t{}\t{}\t{}\n", identifier++, #name, static_cast<int>(largest), meaning);
+#define RSI_NOTHING(...)
+    RSI_OUTPUTS(RSI_CODE, RSI_NOTHING, RSI_NOTHING)
+#undef RSI_NOTHING
+#undef RSI_CODE
 }
 
 void services() {

@@ -132,7 +132,7 @@ def findings(units, folder):
         return {finding for found in pool.map(lambda job: job[0](*job[1:]), jobs) for finding in found}
 
 
-def require_tools():
-    for tool in ("clang-tidy-19", "clang++-19", HOST.gcc, BOARD.gcc):
+def require_tools(*more):
+    for tool in ("clang-tidy-19", "clang++-19", HOST.gcc, BOARD.gcc, *more):
         if not any(os.access(pathlib.Path(folder) / tool, os.X_OK) for folder in os.environ["PATH"].split(":")):
             raise SystemExit(f"{tool} is missing. Run: cmake/environment/set_up --targets --clang")

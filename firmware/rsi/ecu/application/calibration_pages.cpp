@@ -44,6 +44,18 @@ std::uint8_t byte_of(std::uint32_t word, std::uint32_t place) {
     return static_cast<std::uint8_t>(word >> (8U * (place % 4U)));
 }
 
+// A byte of an object of words.
+template <typename Object>
+std::uint8_t byte_in(const Object& object, std::uint32_t place) {
+    std::array<std::uint32_t, sizeof(Object) / 4U> words{};
+    std::memcpy(words.data(), &object, sizeof words);
+    return byte_of(words[place / 4U], place);
+}
+
+std::uint8_t byte_in_set(monitoring::CodeSet codes, std::uint32_t place) {
+    return static_cast<std::uint8_t>(codes >> (8U * place));
+}
+
 // Safe for any address: below the range, the unsigned difference wraps to more than any range's length.
 bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range range) {
     return (count <= range.length) && (address - range.address <= range.length - count);
@@ -51,6 +63,8 @@ bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range rang
 
 constexpr xcp::Target::Range parameter_range{map::parameters_at, map::parameters_length};
 constexpr xcp::Target::Range output_range{map::outputs_at, map::outputs_length};
+constexpr xcp::Target::Range input_range{map::inputs_at, map::inputs_length};
+constexpr xcp::Target::Range code_range{map::codes_at, map::codes_length};
 constexpr xcp::Target::Range change_range{map::change_at, map::change_length};
 constexpr xcp::Target::Range epk_range{map::epk_at, calibration_epk.size()};
 constexpr xcp::Target::Range name_range{map::name_at, static_cast<std::uint32_t>(program_name.size())};
@@ -111,10 +125,11 @@ bool CalibrationPages::begin_change(const std::uint8_t* section) noexcept {
 
 bool CalibrationPages::read(std::uint32_t address, xcp::Page page, std::uint8_t* bytes,
                             std::size_t count) const noexcept {
-    const bool is_declared = (is_usable_ && is_within(address, count, parameter_range)) ||
-                             is_within(address, count, output_range) ||
-                             is_within(address, count, change_range) ||
-                             is_within(address, count, epk_range) || is_within(address, count, name_range);
+    const bool is_declared =
+        (is_usable_ && is_within(address, count, parameter_range)) ||
+        is_within(address, count, output_range) || is_within(address, count, input_range) ||
+        is_within(address, count, code_range) || is_within(address, count, change_range) ||
+        is_within(address, count, epk_range) || is_within(address, count, name_range);
     for (std::size_t place = 0U; is_declared && (place < count); ++place) {
         bytes[place] = byte_at(address + static_cast<std::uint32_t>(place), page);
     }
@@ -133,7 +148,7 @@ std::uint8_t CalibrationPages::byte_at(std::uint32_t address, xcp::Page page) co
         return change_byte(address - map::change_at);
     }
     if (address >= map::outputs_at) {
-        return output_byte(address - map::outputs_at);
+        return measured_byte(address);
     }
     const std::uint32_t place =
         static_cast<std::uint32_t>(section::values_at) + (address - map::parameters_at);
@@ -146,10 +161,19 @@ std::uint8_t CalibrationPages::change_byte(std::uint32_t place) const noexcept {
     return (place < codes.size()) ? codes[place] : byte_of(changes_, place);
 }
 
-std::uint8_t CalibrationPages::output_byte(std::uint32_t place) const noexcept {
-    std::array<std::uint32_t, map::outputs_length / 4U> words{};
-    std::memcpy(words.data(), &ecu_.outputs(), sizeof words);
-    return byte_of(words[place / 4U], place);
+// Precondition: `address` is in the range of the outputs, inputs or codes.
+std::uint8_t CalibrationPages::measured_byte(std::uint32_t address) const noexcept {
+    if (address >= map::codes_at) {
+        const monitoring::DiagnosticMemory& memory = ecu_.diagnostic_memory();
+        const std::uint32_t place = address - map::codes_at;
+        constexpr std::uint32_t length = sizeof(monitoring::CodeSet);
+        return (place < length) ? byte_in_set(memory.active_codes(), place)
+                                : byte_in_set(memory.confirmed_codes(), place - length);
+    }
+    if (address >= map::inputs_at) {
+        return byte_in(ecu_.inputs(), address - map::inputs_at);
+    }
+    return byte_in(ecu_.outputs(), address - map::outputs_at);
 }
 
 bool CalibrationPages::checksum(std::uint32_t address, xcp::Page page, std::size_t count,

@@ -13,15 +13,20 @@
 namespace rsi::application {
 
 // XCP addresses. They are virtual, so that an A2L file fits a firmware version and not one link of it.
-// Parameters: the values of a parameter section in its order; outputs: rsi_outputs; change: selected page,
-// change in progress, refused field, one spare byte, number of changes. Words of four bytes are
-// little-endian.
+// Parameters: the values of a parameter section in its order; outputs: rsi_outputs; inputs: the rsi_inputs
+// that the monitoring has let through; codes: the sets of the diagnostic codes that are set or confirmed, and
+// of those that are confirmed, a bit for each code's number; change: selected page, change in progress,
+// refused field, one spare byte, number of changes. Words of four bytes are little-endian.
 namespace calibration_map {
 
 inline constexpr std::uint32_t parameters_at = 0x10000U;
 inline constexpr std::uint32_t parameters_length = 4U * section::value_count;
 inline constexpr std::uint32_t outputs_at = 0x20000U;
 inline constexpr std::uint32_t outputs_length = sizeof(rsi::Outputs);
+inline constexpr std::uint32_t inputs_at = 0x24000U;
+inline constexpr std::uint32_t inputs_length = sizeof(rsi::Inputs);
+inline constexpr std::uint32_t codes_at = 0x28000U;
+inline constexpr std::uint32_t codes_length = 2U * sizeof(monitoring::CodeSet);
 inline constexpr std::uint32_t change_at = 0x30000U;
 inline constexpr std::uint32_t change_length = 8U;
 inline constexpr std::uint32_t epk_at = 0x40000U;
@@ -74,7 +79,7 @@ class CalibrationPages final : public xcp::Target {
     bool begin_change(const std::uint8_t* section) noexcept;
     std::uint8_t byte_at(std::uint32_t address, xcp::Page page) const noexcept;
     std::uint8_t change_byte(std::uint32_t place) const noexcept;
-    std::uint8_t output_byte(std::uint32_t place) const noexcept;
+    std::uint8_t measured_byte(std::uint32_t address) const noexcept;
 
     RolloverEcu& ecu_;
     const std::uint8_t* reference_;

@@ -1,8 +1,11 @@
 """The A2L as another's parser reads it (pya2l)."""
 
 import dataclasses
+import json
 import pathlib
+import subprocess
 import sys
+import tempfile
 
 BINARIES = pathlib.Path(sys.executable).parent
 
@@ -17,6 +20,15 @@ class Object:
     method: str
     least: float
     largest: float
+    mask: int = 0
+
+
+def module_of(path):
+    """pya2l's JSON of its only module."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / "a2l.json"
+        subprocess.run([BINARIES / "pya2l", path, "to_json", "-o", output], check=True, capture_output=True)
+        return json.loads(output.read_text())["PROJECT"]["MODULE"][0]
 
 
 def value(element):
@@ -35,5 +47,6 @@ def objects(module):
         found[entry["Name"]["Value"]] = Object(
             "MEASUREMENT", entry["Name"]["Value"], entry["LongIdentifier"].get("Value", ""),
             int(value(entry["ECU_ADDRESS"]["Address"])), entry["DataType"]["Value"], entry["Conversion"]["Value"],
-            float(value(entry["LowerLimit"])), float(value(entry["UpperLimit"])))
+            float(value(entry["LowerLimit"])), float(value(entry["UpperLimit"])),
+            int(value(entry.get("BIT_MASK", {}).get("Mask", {}))))
     return found

@@ -1,4 +1,4 @@
-"""draw_measurement.py A2L XCP_DRIVE FILE.png: see draw_measurement."""
+"""draw_measurement.py A2L FILE.png: see draw_measurement."""
 
 import pathlib
 import sys
@@ -17,8 +17,8 @@ DRIVE = ("j-turn-110", 4.0)
 CYCLES = 205
 
 
-def main(a2l, program, picture):
-    bus = simulated_bus.SimulatedBus(program)
+def main(a2l, picture):
+    bus = simulated_bus.SimulatedBus()
     bus.drive(*DRIVE)
     try:
         with xcp_session.Session(a2l_objects.read(a2l), simulated_bus.Interface(bus)) as session:

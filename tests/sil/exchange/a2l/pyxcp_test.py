@@ -58,7 +58,7 @@ class PyXcp(unittest.TestCase):
 
     def undisturbed(self):
         """The whole drive without a master, and a new one begun."""
-        self.bus.run(10000)
+        self.bus.finish()
         cycles = self.bus.cycles
         self.bus.drive(*DRIVE)
         return cycles
@@ -98,7 +98,7 @@ class PyXcp(unittest.TestCase):
             session.unlock()
             self.bus.run(self.first(before, WARNING) - 20 - len(self.bus.cycles))
             session.write({"warning_on": str(LOWER)})
-            self.bus.run(10000)
+            self.bus.finish()
         changed = self.bus.cycles[:len(before)]
         self.assertLess(self.first(changed, WARNING), self.first(before, WARNING))
         self.assertEqual([cycle.number for cycle in changed], list(range(len(before))))  # none is lost
@@ -117,7 +117,7 @@ class PyXcp(unittest.TestCase):
             with self.assertRaisesRegex(LogError, "not one of its choices"):
                 session.write({"warning_indicator": "luck"})
             self.assertEqual(session.differences(), {})
-            self.bus.run(10000)
+            self.bus.finish()
         self.assertEqual([(cycle.state, cycle.side, cycle.numbers) for cycle in self.bus.cycles[:len(before)]],
                          [(cycle.state, cycle.side, cycle.numbers) for cycle in before])
 
@@ -270,7 +270,7 @@ class TheCommand(unittest.TestCase):
     def test_explains_itself_and_refuses_what_it_does_not_know(self):
         self.assertEqual(self.run_it("--help").returncode, 0)
         for wrong in (["paint"], [], ["read", "--paint"], ["write", "warning_on"], ["measure", "rsi", "--seconds", "0",
-                      "--output", "a.csv"], ["measure", "rsi", "--seconds", "1", "--output", "a.txt"], ["store", "--key", "12"]):
+                      "--output", "a.csv"], ["measure", "rsi", "--seconds", "1", "--output", "a.txt"], ["store", "--after", "-1"]):
             self.assertEqual(self.run_it(*wrong).returncode, 2, wrong)
 
     def test_says_what_is_wrong_with_the_interface_and_the_a2l(self):

@@ -83,6 +83,38 @@ class CoSimulation(support.WithFmus):
                 many.step(number, 5 * support.STEP_S)
             self.assertEqual(one.bits(), many.bits())
 
+    def test_steps_shorter_than_a_cycle_hold_the_outputs(self):
+        for version in support.VERSIONS:
+            with self.subTest(version=version):
+                whole, parts = (self.instance("vehicle", version).started(manoeuvre="j-turn-110") for _ in range(2))
+                ecu, other = (self.instance("ecu", version).started() for _ in range(2))
+                signals = ecu.of.names("input")
+                changed = 0
+                for number in range(60):
+                    ecu.set_numbers(signals, whole.numbers(signals))
+                    before = other.bits()
+                    ecu.step(number)
+                    whole.step(number)
+                    for part in range(10):
+                        self.assertEqual(other.bits(), before)
+                        other.set_numbers(signals, parts.numbers(signals) if part == 0 else [math.nan] * len(signals))
+                        for each in (other, parts):
+                            each.step(number + 0.1 * part, 0.1 * support.STEP_S)
+                    self.assertEqual((other.bits(), parts.bits()), (ecu.bits(), whole.bits()))
+                    changed += other.bits() != before
+                self.assertGreater(changed, 30)
+
+    def test_steps_of_any_length_are_as_many_cycles_as_they_pass(self):
+        for version in support.VERSIONS:
+            whole, odd = (self.instance("vehicle", version).started(manoeuvre="fishhook-1b") for _ in range(2))
+            for number in range(20):
+                whole.step(number)
+            for number in range(28):
+                odd.step(0.7 * number, 0.7 * support.STEP_S)
+            odd.step(19.6, 0.4 * support.STEP_S)
+            self.assertEqual(odd.bits(), whole.bits())
+            self.assertAlmostEqual(odd.get("time"), 0.2, delta=1e-9)
+
     def test_without_inputs_the_ecu_says_unavailable(self):
         for version in support.VERSIONS:
             ecu = self.instance("ecu", version).started()

@@ -57,8 +57,17 @@ class Description(support.WithFmus):
             variables = self.fmu("ecu", version).variables
             self.assertIn("0 unavailable, 1 ready, 2 advisory, 3 warning", variables["state"].description)
             self.assertIn("1 left, 2 right", variables["side"].description)
-            self.assertEqual(variables["roll_stiffness_nmprad"].description, "K_f")
+            self.assertEqual(variables["roll_stiffness_nmprad"].description, "roll stiffness, K_f")
             self.assertEqual((variables["sprung_mass_kg"].min, variables["sprung_mass_kg"].max), ("100", "60000"))
+            for name, choices in (("state", ["unavailable", "ready", "advisory", "warning"]), ("side", ["none", "left", "right"])):
+                self.assertEqual([item.name for item in variables[name].declaredType.items], choices)
+            self.assertEqual({variables[name].type for name in ("roll_sensor_disagrees", "estimate_frozen")}, {"Boolean"})
+
+    @support.for_each("ecu", "vehicle")
+    def test_every_variable_is_described_and_its_unit_shown(self, model, version):
+        for name, variable in self.fmu(model, version).variables.items():
+            self.assertRegex(variable.description or "", r"[a-z]{3,}", name)
+            self.assertEqual(variable.displayUnit, {"rad": "deg", "rad/s": "deg/s", "m/s": "km/h"}.get(variable.unit, variable.unit))
 
     @support.for_each("ecu", "vehicle")
     def test_every_ranged_value_starts_within_its_range(self, model, version):

@@ -55,6 +55,22 @@ class State(support.WithFmus):
             self.assertEqual(other.get("advisory_on"), 0.75)
             self.assert_same_bits(self.stepped(other, range(90, 150)), once)
 
+    def test_as_bytes_in_the_middle_of_a_cycle(self):
+        for version in support.VERSIONS:
+            first = self.started("ecu", version)
+            self.stepped(first, range(90))
+            first.set_numbers(first.of.names("input"), drive(90))
+            first.step(90, 0.3 * support.STEP_S)
+            content = first.asked(first.fmu.serializeFMUState, first.saved())
+            other = self.started("ecu", version)
+            other.restore(other.asked(other.fmu.deserializeFMUState, content))
+            before = first.bits()
+            for each in (first, other):
+                each.set_numbers(each.of.names("input"), [math.nan] * 9)
+                each.step(90.3, 0.7 * support.STEP_S)
+            self.assert_same_bits(other.bits(), first.bits())
+            self.assertFalse(first.bits() == before, "the cycle has not ended")
+
     def test_damaged_bytes_are_refused(self):
         for version in support.VERSIONS:
             ecu = self.started("ecu", version)
