@@ -7,6 +7,7 @@ using monitoring::CodeSet;
 
 constexpr std::uint32_t cycles_per_second = 100U;
 constexpr std::uint8_t most_occurrences = 255U;
+
 constexpr CodeSet bit_of(std::size_t row) {
     return CodeSet{2U} << row;  // the codes count from 1
 }
@@ -51,6 +52,13 @@ void put(FreezeFrame& frame, std::size_t place, std::uint32_t value) {
     frame[place + 1U] = static_cast<std::uint8_t>(value & 0xFFU);
 }
 
+template <std::size_t size>
+void put_u32(std::uint32_t value, std::array<std::uint8_t, size>& bytes, std::size_t place) {
+    for (std::size_t index = 0U; index < 4U; ++index) {
+        bytes[place + index] = static_cast<std::uint8_t>((value >> (24U - 8U * index)) & 0xFFU);
+    }
+}
+
 FreezeFrame frame_of(const monitoring::Snapshot& measured, std::uint32_t cycles) {
     constexpr std::uint32_t later = 65535U;
     const std::uint32_t seconds = cycles / cycles_per_second;
@@ -66,19 +74,23 @@ FreezeFrame frame_of(const monitoring::Snapshot& measured, std::uint32_t cycles)
 }  // namespace
 
 void TroubleMemory::start(bool is_new_cycle) noexcept {
+    untested_ = 0U;
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         if (is_new_cycle) {
             count_cycle(data_.states[row], row);
         }
         clear_bits(data_.states[row].status, status::test_failed);
+        untested_ |= has(data_.states[row].status, status::cleared) ? bit_of(row) : CodeSet{0U};
     }
+    begin_tests(untested_);
     if (is_new_cycle) {
         data_.states[resets_at].occurrences = 0U;
+        put_u32(operation_cycles() + 1U, data_.operation_cycles, 0U);
     }
     failed_ = 0U;
+    active_ = 0U;
+    cleared_ = 0U;
     cycles_ = 0U;
-    good_cycles_ = 0U;
-    driven_cycles_ = 0U;
     request_storing(is_new_cycle ? Storing::now : Storing::not_needed);
 }
 
@@ -102,11 +114,21 @@ void TroubleMemory::count_cycle(TroubleState& state, std::size_t row) noexcept {
     set_bits(state.status, status::not_completed_this_cycle);
 }
 
+std::uint32_t TroubleMemory::operation_cycles() const noexcept {
+    std::uint32_t count = 0U;
+    for (const std::uint8_t byte : data_.operation_cycles) {
+        count = (count << 8U) | byte;
+    }
+    return count;
+}
+
 void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& measured,
-                                float speed_mps) noexcept {
+                                std::uint32_t checksum) noexcept {
     const CodeSet changed = failed ^ failed_;
     failed_ = failed;
     measured_ = frame_of(measured, cycles_);
+    put_u32(operation_cycles(), measured_, 10U);
+    put_u32(checksum, measured_, 14U);
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         const CodeSet bit = bit_of(row);
         if ((changed & failed & bit) != 0U) {
@@ -116,9 +138,6 @@ void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& meas
         } else {
             // as it was
         }
-    }
-    if (failed == 0U) {
-        count_good_cycle(speed_mps);
     }
 }
 
@@ -135,19 +154,52 @@ void TroubleMemory::fail(std::size_t row) noexcept {
     }
     set_bits(state.status, status::failure);
     clear_bits(state.status, status::cleared);
+    untested_ &= ~bit_of(row);
     state.occurrences = count_up(state.occurrences);
     state.ageing = 0U;
     keep_snapshot(row);
 }
 
-void TroubleMemory::complete(Judged how) noexcept {
-    const CodeSet judged = codes_judged(how);
+// Adds one to the number of each code at once, as a ripple-carry adder does.
+void TroubleMemory::count_tests(const Findings& found) noexcept {
+    begin_tests(found.active & ~active_ & untested_);  // the good tests are not in a row
+    active_ = found.active;
+    CodeSet carry = found.tested & ~found.active & untested_;
+    for (CodeSet& bits : good_tests_) {
+        const CodeSet next = bits & carry;
+        bits ^= carry;
+        carry = next;
+    }
+    if (carry != 0U) {
+        complete(carry);
+    }
+}
+
+void TroubleMemory::begin_tests(CodeSet codes) noexcept {
+    constexpr std::uint32_t overflow = 1U << std::tuple_size<decltype(good_tests_)>::value;
+    if (codes == 0U) {
+        return;
+    }
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-        if ((judged & bit_of(row)) != 0U) {
+        const CodeSet bit = codes & bit_of(row);
+        const std::uint32_t number =
+            overflow - monitoring::debounce_of(static_cast<monitoring::DiagnosticCode>(code_of(row))).heal;
+        std::uint32_t weight = 1U;
+        for (CodeSet& bits : good_tests_) {
+            bits = (bits & ~bit) | (((number & weight) != 0U) ? bit : CodeSet{0U});
+            weight <<= 1U;
+        }
+    }
+}
+
+void TroubleMemory::complete(CodeSet codes) noexcept {
+    untested_ &= ~codes;
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        if ((codes & bit_of(row)) != 0U) {
             clear_bits(data_.states[row].status, status::cleared);
         }
     }
-    request_storing(Storing::now);
+    request_storing(Storing::later);
 }
 
 void TroubleMemory::clear_all() noexcept {
@@ -161,8 +213,9 @@ void TroubleMemory::clear(std::size_t row) noexcept {
     data_.states[row] = TroubleState{};
     forget_snapshots(row);
     failed_ &= ~bit_of(row);
-    good_cycles_ = 0U;  // it is judged anew
-    driven_cycles_ = 0U;
+    cleared_ |= bit_of(row);
+    untested_ |= bit_of(row);
+    begin_tests(bit_of(row));
     request_storing(Storing::now);
 }
 

@@ -160,9 +160,12 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
             rsi::is_finite(qualified.roll_rate_radps) ? rsi::sample_time_s * qualified.roll_rate_radps : 0.0F;
         qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, {turned});
         // Most vehicles have no bank sensor.
+        const bool has_bank = rsi::is_finite(inputs.bank_angle_rad);
+        if (has_bank) {
+            memory.add_tested(set_of(DiagnosticCode::bank_angle_invalid));
+        }
         memory.report(DiagnosticCode::bank_angle_invalid,
-                      rsi::is_finite(inputs.bank_angle_rad) &&
-                          !rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad));
+                      has_bank && !rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad));
     } else {
         roll_angle_.forget();
     }
@@ -189,6 +192,9 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
     // An inactive or missing reference does not clear a value that repeats itself.
     const auto report_as = [&memory](DiagnosticCode code, bool stuck, const auto& check) noexcept {
+        if (check.moves()) {
+            memory.add_tested(set_of(code));
+        }
         if (stuck || check.moves()) {
             memory.report(code, stuck);
         }
@@ -323,8 +329,13 @@ Symptoms InputMonitor::observer_symptoms(const rsi::Inputs& inputs,
            symptom_if(out && far, Symptom::observer_far);
 }
 
-// Nothing to set or clear.
+// Mostly there is nothing to set or clear.
 void InputMonitor::judge(Symptoms seen, DiagnosticMemory& memory) noexcept {
+    for (const Proof& each : proofs) {
+        if ((seen & each.symptom) != 0U) {
+            memory.add_tested(each.codes);
+        }
+    }
     if (((memory.active_codes() & judged_codes) == 0U) && ((seen & setting_symptoms) == 0U)) {
         return;
     }

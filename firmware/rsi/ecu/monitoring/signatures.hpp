@@ -124,6 +124,39 @@ constexpr Symptoms find_setting_symptoms() noexcept {
 }
 inline constexpr Symptoms setting_symptoms = find_setting_symptoms();
 
+// Codes that a symptom shows to be over: under it their checks are enabled, and find nothing unless a row
+// sets the code.
+struct Proof {
+    Symptoms symptom;
+    CodeSet codes;
+};
+
+constexpr bool all_rows_that_clear_need_one_symptom() noexcept {
+    bool good = true;
+    for (const Signature& each : signatures) {
+        const Symptoms needed = each.pattern.needed;
+        const bool is_one =
+            (needed != 0U) && ((needed & (needed - 1U)) == 0U) && (each.pattern.excuses == 0U);
+        good = good && (is_one || (each.action != Action::clears));
+    }
+    return good;
+}
+static_assert(all_rows_that_clear_need_one_symptom());
+
+constexpr Proof proof_by(Symptom symptom) noexcept {
+    Proof proof{symptoms(symptom), 0U};
+    for (const Signature& each : signatures) {
+        const bool is_shown = (each.action == Action::clears) && (each.pattern.needed == proof.symptom);
+        proof.codes |= is_shown ? set_of(each.code) : CodeSet{0U};
+    }
+    return proof;
+}
+
+inline constexpr std::array<Proof, 6> proofs{
+    proof_by(Symptom::turn_within), proof_by(Symptom::gain_valid),      proof_by(Symptom::observer_within),
+    proof_by(Symptom::roll_valid),  proof_by(Symptom::vertical_within), proof_by(Symptom::reference_valid),
+};
+
 constexpr CodeSet find_judged_codes() noexcept {
     CodeSet all = 0U;
     for (const Signature& each : signatures) {
@@ -132,6 +165,15 @@ constexpr CodeSet find_judged_codes() noexcept {
     return all;
 }
 inline constexpr CodeSet judged_codes = find_judged_codes();
+
+constexpr CodeSet find_proven_codes() noexcept {
+    CodeSet all = 0U;
+    for (const Proof& each : proofs) {
+        all |= each.codes;
+    }
+    return all;
+}
+static_assert(find_proven_codes() == judged_codes, "each code can be shown to be over");
 
 // Isolation of roll rate and roll angle that contradict each other: the first row that fits names the faulty
 // one; if none does, it is the roll rate, without which there is no statement on the risk.
