@@ -106,6 +106,11 @@ class Bench {
     void use_storage(rsi::hal::Storage& storage) { ecu_.use_storage(storage); }
     const rsi::Parameters& parameters() const { return ecu_.parameters(); }
 
+    // Before the start: that it has a place for a section, and what was found in it.
+    void report_stored_section(rsi::application::ParametersRefusal refusal) {
+        ecu_.report_stored_section(refusal);
+    }
+
     // Why the ECU's controller started.
     void start_after(rsi::hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
 

@@ -269,6 +269,7 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
     slow_vehicle_.update(inputs);
     return gain_symptoms(before) | symptom_if(turn_consistency_.known(), Symptom::turn_valid) |
            symptom_if(turn_consistency_.agrees(), Symptom::turn_within) |
+           symptom_if(rsi::absolute(yaw_acceleration) > clear_force_mps2, Symptom::turn_clear) |
            symptom_if(turn_consistency_.suspicious(), Symptom::turn_beyond_banks) |
            symptom_if(turn_consistency_.contradicts(), Symptom::turn_beyond_slides) |
            symptom_if(turn_consistency_.spins(), Symptom::spinning) |
@@ -332,7 +333,7 @@ Symptoms InputMonitor::observer_symptoms(const rsi::Inputs& inputs,
 // Mostly there is nothing to set or clear.
 void InputMonitor::judge(Symptoms seen, DiagnosticMemory& memory) noexcept {
     for (const Proof& each : proofs) {
-        if ((seen & each.symptom) != 0U) {
+        if ((seen & each.needed) == each.needed) {
             memory.add_tested(each.codes);
         }
     }

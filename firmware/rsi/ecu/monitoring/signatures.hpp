@@ -124,37 +124,33 @@ constexpr Symptoms find_setting_symptoms() noexcept {
 }
 inline constexpr Symptoms setting_symptoms = find_setting_symptoms();
 
-// Codes that a symptom shows to be over: under it their checks are enabled, and find nothing unless a row
-// sets the code.
+// Codes of which symptoms are a good test: their checks are enabled, and find nothing unless a row sets the
+// code. What clears a code also shows, by itself or with another symptom, that there is none.
 struct Proof {
-    Symptoms symptom;
+    Symptoms needed;
     CodeSet codes;
-};
 
-constexpr bool all_rows_that_clear_need_one_symptom() noexcept {
-    bool good = true;
-    for (const Signature& each : signatures) {
-        const Symptoms needed = each.pattern.needed;
-        const bool is_one =
-            (needed != 0U) && ((needed & (needed - 1U)) == 0U) && (each.pattern.excuses == 0U);
-        good = good && (is_one || (each.action != Action::clears));
-    }
-    return good;
-}
-static_assert(all_rows_that_clear_need_one_symptom());
+    constexpr Proof with(Symptom other) const noexcept { return {needed | symptoms(other), codes}; }
+};
 
 constexpr Proof proof_by(Symptom symptom) noexcept {
     Proof proof{symptoms(symptom), 0U};
     for (const Signature& each : signatures) {
-        const bool is_shown = (each.action == Action::clears) && (each.pattern.needed == proof.symptom);
+        const bool is_shown = (each.action == Action::clears) && (each.pattern.needed == proof.needed) &&
+                              (each.pattern.excuses == 0U);
         proof.codes |= is_shown ? set_of(each.code) : CodeSet{0U};
     }
     return proof;
 }
 
 inline constexpr std::array<Proof, 6> proofs{
-    proof_by(Symptom::turn_within), proof_by(Symptom::gain_valid),      proof_by(Symptom::observer_within),
-    proof_by(Symptom::roll_valid),  proof_by(Symptom::vertical_within), proof_by(Symptom::reference_valid),
+    // Straight on nothing is seen of the yaw rate, and little of the force.
+    proof_by(Symptom::turn_within).with(Symptom::turn_clear),
+    proof_by(Symptom::gain_valid),
+    proof_by(Symptom::observer_within),
+    proof_by(Symptom::roll_valid),
+    proof_by(Symptom::vertical_within),
+    proof_by(Symptom::reference_valid),
 };
 
 constexpr CodeSet find_judged_codes() noexcept {
