@@ -67,10 +67,12 @@ class Layer:
         self.three_bytes = self.number("three_bytes", 24)
         self.codes = self.code_property()
         # Content of a snapshot, in the order of the bytes.
+        four_bytes = self.number("four_bytes", 32)
         self.frame = [("lateral_acceleration", self.scaled("lateral_acceleration", 0.01, "m/s^2")),
                       ("roll_rate", self.scaled("roll_rate", 0.001, "rad/s")),
                       ("roll_angle", self.scaled("roll_angle", 0.001, "rad")),
-                      ("speed", self.scaled("speed", 0.01, "m/s")), ("seconds_since_start", self.word)]
+                      ("speed", self.scaled("speed", 0.01, "m/s")), ("seconds_since_start", self.word),
+                      ("operation_cycle", four_bytes), ("calibration_checksum", four_bytes)]
 
     def unit(self, name):
         if name not in self.units:
@@ -183,11 +185,13 @@ def add_codes(layer):
     layer.service("read_all_codes", [0x19, 0x0A], answered=[available, layer.value("codes", listed)])
     identifier = layer.constant("identifier", layer.tables.constants["freeze_frame_identifier"], 2, 16)
     frame = [layer.value("record", layer.byte, 0), layer.constant("identifiers", 1, 1), identifier]
-    frame += [layer.value(name, dop, 4 + 2 * index) for index, (name, dop) in enumerate(layer.frame)]
+    frame += [layer.value(name, dop) for name, dop in layer.frame]
     snapshots = layer.repeated("snapshots", layer.structure("snapshot", frame))
     layer.service("read_snapshots", [0x19, 0x04], asked=[code, record],
                   answered=[code, status, layer.value("snapshots", snapshots)])
     counts = layer.repeated("counts", layer.structure("count", [record, layer.value("value", layer.byte)]))
+    counters = layer.repeated("counters", layer.structure("counter", [code, layer.value("counter", layer.byte)]))
+    layer.service("read_fault_detection_counters", [0x19, 0x14], answered=[layer.value("counters", counters)])
     layer.service("read_counts", [0x19, 0x06], asked=[code, record],
                   answered=[code, status, layer.value("counts", counts)])
 
@@ -205,6 +209,8 @@ def add_data(layer):
                   answered=[layer.value("session", layer.byte)])
     layer.service("read_calibration_checksum", [0x22, *split(constants["calibration_checksum_identifier"])],
                   answered=[layer.value("calibration_checksum", layer.number("checksum", 32))])
+    layer.service("read_operation_cycles", [0x22, *split(constants["operation_cycles_identifier"])],
+                  answered=[layer.value("operation_cycles", layer.number("cycles", 32))])
     for name, length in (("vehicle_number", 17), ("programming_date", 4)):
         dop = layer.bytes_of(name, length)
         identifier = split(constants[f"{name}_identifier"])

@@ -23,14 +23,20 @@ using testing_application::Sensor;
 using Codes = std::set<DiagnosticCode>;
 
 const Codes of_imu{DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged, DiagnosticCode::imu_two_senders};
-const Codes of_roll_angle{DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged,
+const Codes of_roll_angle{DiagnosticCode::roll_angle_lost,        DiagnosticCode::roll_angle_damaged,
                           DiagnosticCode::roll_angle_two_senders, DiagnosticCode::roll_angle_invalid,
-                          DiagnosticCode::roll_angle_jump, DiagnosticCode::roll_angle_stuck};
-const Codes of_motion{DiagnosticCode::vehicle_motion_lost, DiagnosticCode::vehicle_motion_damaged,
-                      DiagnosticCode::vehicle_motion_two_senders, DiagnosticCode::yaw_rate_invalid,
-                      DiagnosticCode::yaw_rate_jump, DiagnosticCode::yaw_rate_stuck,
-                      DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump, DiagnosticCode::speed_stuck,
-                      DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump,
+                          DiagnosticCode::roll_angle_jump,        DiagnosticCode::roll_angle_stuck};
+const Codes of_motion{DiagnosticCode::vehicle_motion_lost,
+                      DiagnosticCode::vehicle_motion_damaged,
+                      DiagnosticCode::vehicle_motion_two_senders,
+                      DiagnosticCode::yaw_rate_invalid,
+                      DiagnosticCode::yaw_rate_jump,
+                      DiagnosticCode::yaw_rate_stuck,
+                      DiagnosticCode::speed_invalid,
+                      DiagnosticCode::speed_jump,
+                      DiagnosticCode::speed_stuck,
+                      DiagnosticCode::steering_invalid,
+                      DiagnosticCode::steering_jump,
                       DiagnosticCode::steering_stuck};
 // This vehicle has no bank sensor, and the bench no place for a section.
 const Codes never{DiagnosticCode::bank_angle_invalid, DiagnosticCode::stored_parameters_refused};
@@ -128,10 +134,10 @@ TEST(CompletedTests, AtRestAreThoseThatNeedNoMotion) {
     EXPECT_FALSE(cycle.is_open(DiagnosticCode::imu_lost));
     EXPECT_FALSE(cycle.is_open(DiagnosticCode::lateral_acceleration_invalid));
     EXPECT_FALSE(cycle.is_open(DiagnosticCode::roll_sensor_contradicts_observer));
-    for (const DiagnosticCode code :
-         {DiagnosticCode::lateral_acceleration_stuck, DiagnosticCode::speed_stuck,
-          DiagnosticCode::lateral_acceleration_gain, DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
-          DiagnosticCode::lateral_acceleration_contradicts_yaw_rate}) {
+    for (const DiagnosticCode code : {DiagnosticCode::lateral_acceleration_stuck, DiagnosticCode::speed_stuck,
+                                      DiagnosticCode::lateral_acceleration_gain,
+                                      DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
+                                      DiagnosticCode::lateral_acceleration_contradicts_yaw_rate}) {
         EXPECT_TRUE(cycle.is_open(code)) << static_cast<int>(code);
     }
 }
@@ -147,10 +153,10 @@ TEST(CompletedTests, AreOnlyOpenWhereTheirSensorIsMissing) {
                       DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
                       DiagnosticCode::lateral_acceleration_gain,
                       DiagnosticCode::roll_sensor_contradicts_observer};  // no observer without them
-    const Codes rolls{DiagnosticCode::roll_rate_contradicts_roll_angle, DiagnosticCode::roll_rate_offset,
-                      DiagnosticCode::roll_sensor_contradicts_observer,
-                      DiagnosticCode::vertical_acceleration_offset,
-                      DiagnosticCode::lateral_acceleration_gain, DiagnosticCode::imu_held_back};
+    const Codes rolls{
+        DiagnosticCode::roll_rate_contradicts_roll_angle, DiagnosticCode::roll_rate_offset,
+        DiagnosticCode::roll_sensor_contradicts_observer, DiagnosticCode::vertical_acceleration_offset,
+        DiagnosticCode::lateral_acceleration_gain,        DiagnosticCode::imu_held_back};
     const std::vector<Case> cases{
         {Sensor::roll_angle, DiagnosticCode::roll_angle_lost, of_roll_angle + rolls},
         {Sensor::vehicle_motion, DiagnosticCode::vehicle_motion_lost, of_motion + turns},
