@@ -136,8 +136,7 @@ struct Proof {
 constexpr Proof proof_by(Symptom symptom) noexcept {
     Proof proof{symptoms(symptom), 0U};
     for (const Signature& each : signatures) {
-        const bool is_shown = (each.action == Action::clears) && (each.pattern.needed == proof.needed) &&
-                              (each.pattern.excuses == 0U);
+        const bool is_shown = (each.action == Action::clears) && (each.pattern.needed == proof.needed);
         proof.codes |= is_shown ? set_of(each.code) : CodeSet{0U};
     }
     return proof;
