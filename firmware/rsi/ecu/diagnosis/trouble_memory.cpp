@@ -162,8 +162,11 @@ void TroubleMemory::fail(std::size_t row) noexcept {
 
 // Adds one to the number of each code at once, as a ripple-carry adder does.
 void TroubleMemory::count_tests(const Findings& found) noexcept {
-    begin_tests(found.active & ~active_ & untested_);  // the good tests are not in a row
+    const CodeSet interrupted = found.active & ~active_ & untested_;  // its good tests are not in a row
     active_ = found.active;
+    if (interrupted != 0U) {
+        begin_tests(interrupted);
+    }
     CodeSet carry = found.tested & ~found.active & untested_;
     for (CodeSet& bits : good_tests_) {
         const CodeSet next = bits & carry;
@@ -176,19 +179,21 @@ void TroubleMemory::count_tests(const Findings& found) noexcept {
 }
 
 void TroubleMemory::begin_tests(CodeSet codes) noexcept {
-    constexpr std::uint32_t overflow = 1U << std::tuple_size<decltype(good_tests_)>::value;
-    if (codes == 0U) {
-        return;
-    }
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-        const CodeSet bit = codes & bit_of(row);
-        const std::uint32_t number =
-            overflow - monitoring::debounce_of(static_cast<monitoring::DiagnosticCode>(code_of(row))).heal;
-        std::uint32_t weight = 1U;
-        for (CodeSet& bits : good_tests_) {
-            bits = (bits & ~bit) | (((number & weight) != 0U) ? bit : CodeSet{0U});
-            weight <<= 1U;
+        if ((codes & bit_of(row)) != 0U) {
+            begin_test(row);
         }
+    }
+}
+
+void TroubleMemory::begin_test(std::size_t row) noexcept {
+    constexpr std::uint32_t overflow = 1U << std::tuple_size<decltype(good_tests_)>::value;
+    const CodeSet bit = bit_of(row);
+    std::uint32_t number =
+        overflow - monitoring::debounce_of(static_cast<monitoring::DiagnosticCode>(code_of(row))).heal;
+    for (CodeSet& bits : good_tests_) {
+        bits = (bits & ~bit) | (((number & 1U) != 0U) ? bit : CodeSet{0U});
+        number >>= 1U;
     }
 }
 
@@ -215,7 +220,7 @@ void TroubleMemory::clear(std::size_t row) noexcept {
     failed_ &= ~bit_of(row);
     cleared_ |= bit_of(row);
     untested_ |= bit_of(row);
-    begin_tests(bit_of(row));
+    begin_test(row);
     request_storing(Storing::now);
 }
 

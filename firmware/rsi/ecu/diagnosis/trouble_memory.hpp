@@ -142,7 +142,8 @@ class TroubleMemory {
                      std::uint32_t checksum) noexcept;
     void fail(std::size_t row) noexcept;
     void count_tests(const Findings& found) noexcept;
-    void begin_tests(monitoring::CodeSet codes) noexcept;
+    [[gnu::cold]] void begin_tests(monitoring::CodeSet codes) noexcept;
+    void begin_test(std::size_t row) noexcept;
     [[gnu::cold]] void complete(monitoring::CodeSet codes) noexcept;
     void keep_snapshot(std::size_t row) noexcept;
     TroubleSnapshots* place_for(std::size_t row) noexcept;
