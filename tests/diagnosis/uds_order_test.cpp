@@ -80,8 +80,8 @@ TEST_F(UdsOrder, SessionThenAccessThenSubFunctionThenLength) {
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x13U));
 }
 
-// ISO 14229-1 lists 0x14 for the default session as well, but not 0x27. What needs the key cannot be had
-// there, so the tester is sent to another session instead of to a key.
+// ISO 14229-1 lists 0x14 for the default session as well, but not 0x27: nothing can be unlocked there, so the
+// tester is sent to another session instead of to a key.
 TEST_F(UdsOrder, ClearingIsNotOfTheDefaultSession) {
     tester_.unlock(0x03U);
     ask({0x10U, 0x01U});

@@ -164,7 +164,7 @@ TEST_F(ADiagnosticMemory, ReportsAnEntryThatItHasWhateverBitOfItHasChanged) {
     }
 }
 
-// Of this cycle, and of no earlier one.
+// The set is that of one cycle.
 TEST_F(ADiagnosticMemory, KnowsWhichChecksHaveRunInACycle) {
     EXPECT_EQ(memory.tested_codes(), 0U);
     memory.add_tested(set_of(DiagnosticCode::imu_lost, DiagnosticCode::speed_jump));

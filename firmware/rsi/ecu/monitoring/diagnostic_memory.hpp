@@ -48,7 +48,7 @@ class DiagnosticMemory {
     void confirm(DiagnosticCode code) noexcept { update(code, true, {1U, debounce_of(code).heal}); }
 
     // Checks that have run in this cycle under their enable condition, so that they would have seen the
-    // fault. Of such a code that is not active the cycle is a good test (ISO 14229-1), reported or not.
+    // fault. For such a code that is not active the cycle is a good test (ISO 14229-1), reported or not.
     void add_tested(CodeSet codes) noexcept { tested_ |= codes; }
     CodeSet tested_codes() const noexcept { return tested_; }
 

@@ -125,7 +125,7 @@ constexpr Symptoms find_setting_symptoms() noexcept {
 inline constexpr Symptoms setting_symptoms = find_setting_symptoms();
 
 // Codes of which symptoms are a good test: their checks are enabled, and find nothing unless a row sets the
-// code. What clears a code also shows, by itself or with another symptom, that there is none.
+// code. A symptom that clears a code also shows, if need be with another, that there is none.
 struct Proof {
     Symptoms needed;
     CodeSet codes;
