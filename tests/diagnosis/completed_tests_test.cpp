@@ -22,7 +22,6 @@ using testing_application::RollPlaneVehicle;
 using testing_application::Sensor;
 using Codes = std::set<DiagnosticCode>;
 
-const Codes of_imu{DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged, DiagnosticCode::imu_two_senders};
 const Codes of_roll_angle{DiagnosticCode::roll_angle_lost,        DiagnosticCode::roll_angle_damaged,
                           DiagnosticCode::roll_angle_two_senders, DiagnosticCode::roll_angle_invalid,
                           DiagnosticCode::roll_angle_jump,        DiagnosticCode::roll_angle_stuck};
@@ -43,7 +42,7 @@ const Codes never{DiagnosticCode::bank_angle_invalid, DiagnosticCode::stored_par
 // The road is level.
 const Codes needs_a_bank{DiagnosticCode::roll_angle_reference_wrong};
 
-Codes operator+(Codes one, const Codes& other) {
+Codes both(Codes one, const Codes& other) {
     one.insert(other.begin(), other.end());
     return one;
 }
@@ -121,7 +120,7 @@ TEST(CompletedTests, OfEveryCodeInAnOrdinaryDrive) {
     bench.drive(Winding{});
     OperationCycle cycle{bench};
     cycle.run(60.0);
-    EXPECT_EQ(names(cycle.open()), names(needs_a_bank + never));
+    EXPECT_EQ(names(cycle.open()), names(both(needs_a_bank, never)));
 }
 
 TEST(CompletedTests, AtRestAreThoseThatNeedNoMotion) {
@@ -158,8 +157,8 @@ TEST(CompletedTests, AreOnlyOpenWhereTheirSensorIsMissing) {
         DiagnosticCode::roll_sensor_contradicts_observer, DiagnosticCode::vertical_acceleration_offset,
         DiagnosticCode::lateral_acceleration_gain,        DiagnosticCode::imu_held_back};
     const std::vector<Case> cases{
-        {Sensor::roll_angle, DiagnosticCode::roll_angle_lost, of_roll_angle + rolls},
-        {Sensor::vehicle_motion, DiagnosticCode::vehicle_motion_lost, of_motion + turns},
+        {Sensor::roll_angle, DiagnosticCode::roll_angle_lost, both(of_roll_angle, rolls)},
+        {Sensor::vehicle_motion, DiagnosticCode::vehicle_motion_lost, both(of_motion, turns)},
     };
     for (const Case& each : cases) {
         Bench bench;
@@ -168,7 +167,7 @@ TEST(CompletedTests, AreOnlyOpenWhereTheirSensorIsMissing) {
         OperationCycle cycle{bench};
         cycle.run(60.0);
         EXPECT_TRUE(cycle.fails(each.lost));
-        Codes open = each.open + needs_a_bank + never;
+        Codes open = both(each.open, both(needs_a_bank, never));
         open.erase(each.lost);
         EXPECT_EQ(names(cycle.open()), names(open)) << testing_application::name_of(each.silent);
     }
