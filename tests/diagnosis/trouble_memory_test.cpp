@@ -42,10 +42,11 @@ int number_in(const FreezeFrame& frame, std::size_t place) {
 unsigned seconds_in(const FreezeFrame& frame) {
     return frame[8] * 256U + frame[9];
 }
-unsigned word_in(const FreezeFrame& frame, std::size_t place) {
+template <typename Bytes>
+unsigned word_in(const Bytes& bytes, std::size_t place = 0U) {
     unsigned word = 0U;
     for (std::size_t byte = place; byte < place + 4U; ++byte) {
-        word = word * 256U + frame.at(byte);
+        word = word * 256U + bytes.at(byte);
     }
     return word;
 }
@@ -362,7 +363,7 @@ TEST_F(Troubles, TheTimeOfASnapshotIsThatSinceTheStart) {
 
 // A workshop tells by them in which of many journeys, and with which calibration, a fault was seen.
 TEST_F(Troubles, ASnapshotHasTheOperationCycleAndTheCalibration) {
-    EXPECT_EQ(memory_.operation_cycles(), 1U);
+    EXPECT_EQ(word_in(memory_.operation_cycles()), 1U);
     checksum_ = 0x89ABCDEFU;
     run(1, imu_failed);
     for (int cycle = 0; cycle < 300; ++cycle) {
@@ -371,7 +372,7 @@ TEST_F(Troubles, ASnapshotHasTheOperationCycleAndTheCalibration) {
     memory_.start(false);
     checksum_ = 0x01234567U;
     run(1, imu_failed);
-    EXPECT_EQ(memory_.operation_cycles(), 301U) << "a reset is no new cycle";
+    EXPECT_EQ(word_in(memory_.operation_cycles()), 301U) << "a reset is no new cycle";
     const TroubleSnapshots* const kept = memory_.snapshots(imu);
     ASSERT_NE(kept, nullptr);
     EXPECT_EQ(word_in(kept->first, 10U), 1U);
@@ -380,9 +381,14 @@ TEST_F(Troubles, ASnapshotHasTheOperationCycleAndTheCalibration) {
     EXPECT_EQ(word_in(kept->last, 14U), 0x01234567U);
     TroubleMemory other{};
     other.restore(memory_.stored_data());
-    EXPECT_EQ(other.operation_cycles(), 301U);
+    EXPECT_EQ(word_in(other.operation_cycles()), 301U);
     memory_.clear_all();
-    EXPECT_EQ(memory_.operation_cycles(), 301U) << "it is of the ECU, not of a code";
+    EXPECT_EQ(word_in(memory_.operation_cycles()), 301U) << "it is of the ECU, not of a code";
+    TroubleMemory::Stored old{};
+    old.operation_cycles = {0x01U, 0xFFU, 0xFFU, 0xFFU};
+    other.restore(old);
+    other.start(true);
+    EXPECT_EQ(word_in(other.operation_cycles()), 0x02000000U);
 }
 
 TEST_F(Troubles, TheTimeOfASnapshotStandsAtItsLargest) {

@@ -107,7 +107,7 @@ struct DataSources {
     const rsi::Inputs& inputs;
     const rsi::Outputs& outputs;
     Session session;
-    std::uint32_t operation_cycles;
+    const std::array<std::uint8_t, 4>& operation_cycles;
 };
 
 // Adds the identifier and its data to the response; false for an unknown one.

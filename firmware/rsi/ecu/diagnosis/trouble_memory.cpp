@@ -52,13 +52,6 @@ void put(FreezeFrame& frame, std::size_t place, std::uint32_t value) {
     frame[place + 1U] = static_cast<std::uint8_t>(value & 0xFFU);
 }
 
-template <std::size_t size>
-void put_u32(std::uint32_t value, std::array<std::uint8_t, size>& bytes, std::size_t place) {
-    for (std::size_t index = 0U; index < 4U; ++index) {
-        bytes[place + index] = static_cast<std::uint8_t>((value >> (24U - 8U * index)) & 0xFFU);
-    }
-}
-
 FreezeFrame frame_of(const monitoring::Snapshot& measured, std::uint32_t cycles) {
     constexpr std::uint32_t later = 65535U;
     const std::uint32_t seconds = cycles / cycles_per_second;
@@ -85,13 +78,23 @@ void TroubleMemory::start(bool is_new_cycle) noexcept {
     begin_tests(untested_);
     if (is_new_cycle) {
         data_.states[resets_at].occurrences = 0U;
-        put_u32(operation_cycles() + 1U, data_.operation_cycles, 0U);
+        count_operation_cycle();
     }
     failed_ = 0U;
     active_ = 0U;
     cleared_ = 0U;
     cycles_ = 0U;
     request_storing(is_new_cycle ? Storing::now : Storing::not_needed);
+}
+
+// The carry goes from the last byte to the first.
+void TroubleMemory::count_operation_cycle() noexcept {
+    bool carries = true;
+    for (std::size_t place = data_.operation_cycles.size(); place > 0U; --place) {
+        std::uint8_t& byte = data_.operation_cycles[place - 1U];
+        byte = static_cast<std::uint8_t>(byte + (carries ? 1U : 0U));
+        carries = carries && (byte == 0U);
+    }
 }
 
 // Closes the previous operation cycle at start-up; its end cannot be observed.
@@ -114,21 +117,15 @@ void TroubleMemory::count_cycle(TroubleState& state, std::size_t row) noexcept {
     set_bits(state.status, status::not_completed_this_cycle);
 }
 
-std::uint32_t TroubleMemory::operation_cycles() const noexcept {
-    std::uint32_t count = 0U;
-    for (const std::uint8_t byte : data_.operation_cycles) {
-        count = (count << 8U) | byte;
-    }
-    return count;
-}
-
 void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& measured,
                                 std::uint32_t checksum) noexcept {
     const CodeSet changed = failed ^ failed_;
     failed_ = failed;
     measured_ = frame_of(measured, cycles_);
-    put_u32(operation_cycles(), measured_, 10U);
-    put_u32(checksum, measured_, 14U);
+    for (std::size_t index = 0U; index < 4U; ++index) {
+        measured_[10U + index] = data_.operation_cycles[index];
+        measured_[14U + index] = static_cast<std::uint8_t>((checksum >> (24U - 8U * index)) & 0xFFU);
+    }
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         const CodeSet bit = bit_of(row);
         if ((changed & failed & bit) != 0U) {
@@ -179,10 +176,12 @@ void TroubleMemory::count_tests(const Findings& found) noexcept {
 }
 
 void TroubleMemory::begin_tests(CodeSet codes) noexcept {
+    CodeSet left = codes >> 1U;  // from the first row on
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-        if ((codes & bit_of(row)) != 0U) {
+        if ((left & 1U) != 0U) {
             begin_test(row);
         }
+        left >>= 1U;
     }
 }
 
@@ -199,10 +198,12 @@ void TroubleMemory::begin_test(std::size_t row) noexcept {
 
 void TroubleMemory::complete(CodeSet codes) noexcept {
     untested_ &= ~codes;
+    CodeSet left = codes >> 1U;
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-        if ((codes & bit_of(row)) != 0U) {
+        if ((left & 1U) != 0U) {
             clear_bits(data_.states[row].status, status::cleared);
         }
+        left >>= 1U;
     }
     request_storing(Storing::later);
 }

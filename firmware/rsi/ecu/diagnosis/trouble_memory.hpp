@@ -42,6 +42,8 @@ inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
 //   14 checksum of the calibration in use, as F1A0 has it
 using FreezeFrame = std::array<std::uint8_t, 18>;
 
+using CycleCount = std::array<std::uint8_t, 4>;  // big-endian
+
 struct TroubleState {
     std::uint8_t status{status::cleared};
     std::uint8_t occurrences{0U};  // since it was cleared, saturating at 255
@@ -99,8 +101,8 @@ class TroubleMemory {
     // Codes cleared since the last cycle. The monitoring is to debounce them anew.
     monitoring::CodeSet cleared_codes() const noexcept { return cleared_; }
 
-    // Since the memory was new.
-    std::uint32_t operation_cycles() const noexcept;
+    // Operation cycles since the memory was new, with the present one.
+    const CycleCount& operation_cycles() const noexcept { return data_.operation_cycles; }
 
     // By the rows of trouble_codes.
     const TroubleState& state(std::size_t row) const noexcept { return data_.states[row]; }
@@ -125,7 +127,7 @@ class TroubleMemory {
     struct Stored {
         std::array<TroubleState, most_codes> states{};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
-        std::array<std::uint8_t, 4> operation_cycles{};  // big-endian
+        CycleCount operation_cycles{};
     };
     static_assert(sizeof(Stored) == 3U * most_codes + 37U * snapshot_places + 4U);
 
@@ -137,6 +139,7 @@ class TroubleMemory {
     // The last state is of no code: its occurrences are the resets by testers in this operation cycle.
     static constexpr std::size_t resets_at = most_codes - 1U;
 
+    void count_operation_cycle() noexcept;
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
     void take_change(monitoring::CodeSet failed, const monitoring::Snapshot& measured,
                      std::uint32_t checksum) noexcept;

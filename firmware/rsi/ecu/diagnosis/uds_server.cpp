@@ -205,8 +205,8 @@ void UdsServer::begin_answer(const Request& request, std::size_t repeated) noexc
     }
 }
 
-// The order of ISO 14229-1: service, session, access to all of it, sub-function, length; then what the service
-// itself finds.
+// The order of ISO 14229-1: service, session, access to all of it, sub-function, length; then what the
+// service itself finds.
 Nrc UdsServer::check_and_run(const Request& request, const EcuState& ecu) noexcept {
     const Service* const service = service_of(request);
     if (service == nullptr) {

@@ -191,10 +191,9 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     const float turned = rsi::is_within_magnitude(sum, 5.0F) ? sum : rsi::not_available;
     turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
     // An inactive or missing reference does not clear a value that repeats itself.
-    const auto report_as = [&memory](DiagnosticCode code, bool stuck, const auto& check) noexcept {
-        if (check.moves()) {
-            memory.add_tested(set_of(code));
-        }
+    CodeSet moving = 0U;
+    const auto report_as = [&memory, &moving](DiagnosticCode code, bool stuck, const auto& check) noexcept {
+        moving |= check.moves() ? set_of(code) : CodeSet{0U};
         if (stuck || check.moves()) {
             memory.report(code, stuck);
         }
@@ -217,6 +216,7 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps,
            speed_noise_.is_known() ? turn : rsi::not_available);
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
+    memory.add_tested(moving);
 }
 
 // An angle that is held back cannot show a contradiction, but only with it can one be over.
@@ -332,11 +332,11 @@ Symptoms InputMonitor::observer_symptoms(const rsi::Inputs& inputs,
 
 // Mostly there is nothing to set or clear.
 void InputMonitor::judge(Symptoms seen, DiagnosticMemory& memory) noexcept {
+    CodeSet good = 0U;
     for (const Proof& each : proofs) {
-        if ((seen & each.needed) == each.needed) {
-            memory.add_tested(each.codes);
-        }
+        good |= ((seen & each.needed) == each.needed) ? each.codes : CodeSet{0U};
     }
+    memory.add_tested(good);
     if (((memory.active_codes() & judged_codes) == 0U) && ((seen & setting_symptoms) == 0U)) {
         return;
     }
