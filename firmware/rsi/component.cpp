@@ -65,10 +65,14 @@ Component::Component(const Parameters& parameters, const Iterated& iterated)
 }
 
 void Component::change(const ParameterChange& change) {
+    const Parameters& parameters = change.parameters();
     if (!is_initialised()) {
+        if (change.has_gains()) {
+            ::new (static_cast<void*>(this))
+                Component{parameters, Iterated{change.gains(), critical_roll_angle_rad(parameters)}};
+        }
         return;
     }
-    const Parameters& parameters = change.parameters();
     const bool had_horizon = derived_.measurement.against_horizon;
     const Iterated iterated{change.has_gains() ? change.gains() : derived_.measurement.observer.gains,
                             critical_roll_angle_rad(parameters)};

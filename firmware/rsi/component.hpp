@@ -53,7 +53,8 @@ class Component {
 
     // Goes on with the parameters of a change that is ready, and that began from those in use. Signals,
     // states and what has been learnt stay; only of another vehicle what was learnt of this one is forgotten.
-    // Costs no more than a step. Without an accepted init it does nothing.
+    // Costs no more than a step. Without an accepted init it starts, as init does, with a change that has
+    // begun from Parameters{}; with another it does nothing.
     [[gnu::cold]] void change(const ParameterChange& change);
 
     // The load learnt so far, to be kept without power.

@@ -343,8 +343,8 @@ int32_t rsi_prepare_change(rsi_parameter_change* change);
 
 /* The component goes on with the parameters of `change`, which must be ready and have begun from those in
  * use. Signals, states and what has been learnt stay; but what was learnt of the vehicle is forgotten where
- * its masses, heights, springs or dampers change. Costs less than a step. Without an accepted rsi_init it
- * does nothing. */
+ * its masses, heights, springs or dampers change. Costs less than a step. After rsi_init has refused the
+ * parameters it starts the component, with a change that has begun from parameters that are all zero. */
 void rsi_change(rsi_component* component, const rsi_parameter_change* change);
 
 /* The load learnt so far. */

@@ -82,10 +82,12 @@ class Layer:
         self.codes = self.code_property()
         self.reason = self.choice("reason", {code.value: short(code.name) for code in NegativeResponseCodes})
         # Content of a snapshot, in the order of the bytes.
+        four_bytes = self.number("four_bytes", 32)
         self.frame = [("lateral_acceleration", self.scaled("lateral_acceleration", 0.01, "m/s^2")),
                       ("roll_rate", self.scaled("roll_rate", 0.001, "rad/s")),
                       ("roll_angle", self.scaled("roll_angle", 0.001, "rad")),
-                      ("speed", self.scaled("speed", 0.01, "m/s")), ("seconds_since_start", self.word)]
+                      ("speed", self.scaled("speed", 0.01, "m/s")), ("seconds_since_start", self.word),
+                      ("operation_cycle", four_bytes), ("calibration_checksum", four_bytes)]
 
     def unit(self, name):
         if name not in self.units:
@@ -220,11 +222,13 @@ def add_codes(layer):
     layer.service("read_all_codes", [0x19, 0x0A], answered=[available, layer.value("codes", listed)])
     identifier = layer.constant("identifier", layer.tables.constants["freeze_frame_identifier"], 2, 16)
     frame = [layer.value("record", layer.byte, 0), layer.constant("identifiers", 1, 1), identifier]
-    frame += [layer.value(name, dop, 4 + 2 * index) for index, (name, dop) in enumerate(layer.frame)]
+    frame += [layer.value(name, dop) for name, dop in layer.frame]
     snapshots = layer.repeated("snapshots", layer.structure("snapshot", frame))
     layer.service("read_snapshots", [0x19, 0x04], asked=[code, record],
                   answered=[code, status, layer.value("snapshots", snapshots)])
     counts = layer.repeated("counts", layer.structure("count", [record, layer.value("value", layer.byte)]))
+    counters = layer.repeated("counters", layer.structure("counter", [code, layer.value("counter", layer.byte)]))
+    layer.service("read_fault_detection_counters", [0x19, 0x14], answered=[layer.value("counters", counters)])
     layer.service("read_counts", [0x19, 0x06], asked=[code, record],
                   answered=[code, status, layer.value("counts", counts)])
 
@@ -243,6 +247,8 @@ def add_data(layer):
                   answered=[layer.value("session", layer.choice("session", SESSIONS))])
     layer.service("read_calibration_checksum", [0x22, *split(constants["calibration_checksum_identifier"])],
                   answered=[layer.value("calibration_checksum", layer.number("checksum", 32))])
+    layer.service("read_operation_cycles", [0x22, *split(constants["operation_cycles_identifier"])],
+                  answered=[layer.value("operation_cycles", layer.number("cycles", 32))])
     for name, dop in (("vehicle_number", layer.text_of("vehicle_number", 17)),
                       ("programming_date", layer.bytes_of("programming_date", 4))):
         identifier = split(constants[f"{name}_identifier"])

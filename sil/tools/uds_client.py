@@ -65,7 +65,8 @@ def client(connection, tables, key=TEST_KEY):
     config.update(security_algo=answer, request_timeout=8, extended_data_size=1, dtc_snapshot_did_size=2,
                   data_identifiers={**{each: codec for each, (_, codec) in IDENTIFIERS.items()}, 0xF186: "B",
                                     tables.constants["calibration_checksum_identifier"]: ">I",
-                                    tables.constants["freeze_frame_identifier"]: ">hhhhH", "default": ">f"})
+                                    tables.constants["operation_cycles_identifier"]: ">I",
+                                    tables.constants["freeze_frame_identifier"]: ">hhhhHII", "default": ">f"})
     return Client(connection, config=config)
 
 
@@ -115,9 +116,11 @@ def unlock(tester, session):
 
 
 def show_codes(tester, tables):
+    about_to_fail = tester.get_dtc_fault_counter().service_data.dtcs
     codes = tester.get_dtc_by_status_mask(IN_MEMORY).service_data.dtcs
     if not codes:
         print("no trouble codes")
+    cycles = value_of(tester, tables, "operation_cycles_identifier")
     for code in codes:
         status = code.status.get_byte_as_int()
         said = ", ".join(text for bit, text in STATUS if status & bit)
@@ -126,15 +129,18 @@ def show_codes(tester, tables):
         occurrences, ageing = (each.raw_data[0] for each in counts)
         print(f"    failed {occurrences} times; good for {ageing} operation cycles since, forgotten after 40")
         for each in tester.get_dtc_snapshot_by_dtc_number(code.id, 0xFF).service_data.dtcs[0].snapshots:
-            print(f"    {'first' if each.record_number == 1 else 'last'}: {measured(each.data)}")
+            print(f"    {'first' if each.record_number == 1 else 'last'}: {measured(each.data, cycles)}")
+    for code in about_to_fail:
+        print(f"{name_of_trouble_code(code.id)}  {tables.codes.get(code.id, 'unknown')}: about to fail, {code.fault_counter} of 127")
 
 
-def measured(frame):
-    *values, seconds = frame
+def measured(frame, cycles):
+    *values, seconds, cycle, checksum = frame
     rows = zip(("lateral", "roll rate", "roll angle", "speed"), values, (100, 1000, 1000, 100),
                ("m/s^2", "rad/s", "rad", "m/s"))
     said = [f"{name} {value / steps:g} {unit}" for name, value, steps, unit in rows if value != NOT_AVAILABLE]
-    return f"{seconds} s after the start, " + (", ".join(said) or "nothing measured")
+    return (f"in operation cycle {cycle} of {cycles}, {seconds} s after its start, with the calibration {checksum:08X}: "
+            + (", ".join(said) or "nothing measured"))
 
 
 def clear(tester, tables):
@@ -151,9 +157,13 @@ def identify(tester, tables):
     print(f"checksum of the calibration: {checksum_in_use(tester, tables):08X}")
 
 
-def checksum_in_use(tester, tables):
-    identifier = tables.constants["calibration_checksum_identifier"]
+def value_of(tester, tables, name):
+    identifier = tables.constants[name]
     return tester.read_data_by_identifier(identifier).service_data.values[identifier][0]
+
+
+def checksum_in_use(tester, tables):
+    return value_of(tester, tables, "calibration_checksum_identifier")
 
 
 def checksum_of(section, name, tables):

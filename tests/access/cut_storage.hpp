@@ -22,6 +22,7 @@ class CutStorage final : public rsi::hal::Storage {
 
     // An empty record is one that was never written.
     hal::Reading read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        ++reads_;
         if (is_unreadable_ || (record_.size() != length && !record_.empty())) {
             return hal::Reading::unreadable;
         }
@@ -54,6 +55,7 @@ class CutStorage final : public rsi::hal::Storage {
     }
     void refuse(bool refuses) { refuses_ = refuses; }
     void set_unreadable(bool is_unreadable) { is_unreadable_ = is_unreadable; }
+    int reads() const { return reads_; }
     // Times that it was asked to take a record, whether it has or not.
     int tries() const { return tries_; }
     bool has_power() const { return has_power_; }
@@ -67,6 +69,7 @@ class CutStorage final : public rsi::hal::Storage {
     bool has_power_{true};
     bool refuses_{false};
     bool is_unreadable_{false};
+    int reads_{0};
     int tries_{0};
 };
 

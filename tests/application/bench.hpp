@@ -102,6 +102,15 @@ class Bench {
     // Before the start: what XCP or UDS ask for.
     void report_test_keys(const rsi::hal::KeyStore& keys) { ecu_.report_test_keys(keys); }
 
+    // Before the start: where it keeps its load.
+    void use_storage(rsi::hal::Storage& storage) { ecu_.use_storage(storage); }
+    const rsi::Parameters& parameters() const { return ecu_.parameters(); }
+
+    // Before the start: that it has a place for a section, and what was found in it.
+    void report_stored_section(rsi::application::ParametersRefusal refusal) {
+        ecu_.report_stored_section(refusal);
+    }
+
     // Why the ECU's controller started.
     void start_after(rsi::hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "rsi/model/vehicle_lengths.hpp"
+#include "tests/access/cut_storage.hpp"
 #include "tests/application/bench.hpp"
 
 namespace testing_application {
@@ -15,9 +16,9 @@ namespace {
 
 using rsi::monitoring::DiagnosticCode;
 
-rsi::ParameterChange change_to(const rsi::Parameters& to) {
+rsi::ParameterChange change_to(const rsi::Parameters& to, const rsi::Parameters& from = large_suv()) {
     rsi::ParameterChange change;
-    EXPECT_EQ(change.begin(large_suv(), to).accepted, 1);
+    EXPECT_EQ(change.begin(from, to).accepted, 1);
     for (int share = 0; share < 1000 && !change.prepare(); ++share) {
     }
     return change;
@@ -94,6 +95,57 @@ TEST(AChangedControlUnit, GoesOnWithWhatItHasSeenOfTheSameSensorsInTheSameVehicl
     bench.drive(motion);
     bench.run_cycles(1);
     EXPECT_NEAR(bench.inputs().lateral_specific_force_mps2, 0.0F, 0.01F);
+}
+
+// Initialising iterates over more than a cycle, and reads a memory: neither within a cycle.
+class ARefusedControlUnit : public ::testing::Test {
+ protected:
+    ARefusedControlUnit() {
+        rsi::Parameters bad = large_suv();
+        bad.warning_on = 1.3F;
+        bench_.use_storage(load_);
+        EXPECT_EQ(bench_.start_with(bad).accepted, 0);
+        bench_.run_for(1.0);
+    }
+    // The observer's roll angle in a motion that it follows.
+    float observed_after(const rsi::ParameterChange& change) {
+        bench_.change(change);
+        Motion motion;
+        motion.imu.roll_rate_deg_per_s = 4.0F;
+        bench_.drive(motion);
+        bench_.run_for(1.0);
+        return bench_.outputs().observed_roll_angle_rad;
+    }
+
+    rsi_test::CutStorage load_{};
+    Bench bench_{};
+};
+
+TEST_F(ARefusedControlUnit, StartsWithAChangeAndReadsNoMemory) {
+    EXPECT_EQ(bench_.parameters().track_width_m, 0.0F) << "none is in use";
+    EXPECT_TRUE(bench_.diagnostic_memory().confirmed(DiagnosticCode::parameters_refused));
+    const int reads = load_.reads();
+    bench_.change(change_to(large_suv(), bench_.parameters()));
+    bench_.run_for(1.0);
+    EXPECT_EQ(load_.reads(), reads);
+    EXPECT_EQ(bench_.parameters().track_width_m, large_suv().track_width_m);
+    EXPECT_FALSE(bench_.diagnostic_memory().confirmed(DiagnosticCode::parameters_refused));
+    EXPECT_EQ(bench_.state(), rsi::can_dbc::RolloverWarning::State::ready);
+}
+
+TEST_F(ARefusedControlUnit, TakesTheGainsAsTheyWerePrepared) {
+    rsi::ParameterChange begun;
+    ASSERT_EQ(begun.begin(bench_.parameters(), large_suv()).accepted, 1);
+    ASSERT_FALSE(begun.prepare());
+    const rsi::ParameterChange whole = change_to(large_suv(), bench_.parameters());
+    const float of_begun = observed_after(begun);
+    rsi::Parameters bad = large_suv();
+    bad.warning_on = 1.3F;
+    ASSERT_EQ(bench_.start_with(bad).accepted, 0);
+    bench_.drive(Motion{});
+    bench_.run_for(1.0);
+    EXPECT_NE(observed_after(whole), of_begun);
+    EXPECT_NE(of_begun, 0.0F);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Life {
     }
     void run(int cycles, CodeSet failed = 0U) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
-            data.codes().update(failed, {}, 0.0F);
+            data.codes().update({failed, failed, ~failed}, {}, 0U);
             data.end_cycle();
         }
     }
@@ -113,7 +113,10 @@ TEST(KeptData, ACountAloneIsStoredOnceAMinute) {
 TEST(KeptData, NothingIsStoredWhereNothingHasChanged) {
     Memories memories;
     Life life{memories};
-    life.run(1000);
+    life.run(1);
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), 1);
+    life.run(6000);
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), 2) << "tests that are completed, in a minute";
     const int writes = memories.one.writes() + memories.other.writes();
     life.run(20000);
     EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes);
@@ -267,9 +270,31 @@ TEST(KeptData, ARecordOfAnotherLayoutIsNotRead) {
     EXPECT_EQ(Life{memories}.known().size(), rsi::diagnosis::trouble_code_count);
 }
 
+// Before snapshots had the operation cycle: shorter, under the same name of the layout or not.
+TEST(KeptData, AnOlderAndShorterRecordIsRefusedAndReported) {
+    struct Older {
+        std::array<std::uint8_t, 379> bytes{};
+    };
+    for (const std::uint8_t layout : Bytes{1U, rsi::diagnosis::KeptPayload::present_layout}) {
+        Memories memories;
+        rsi::application::AlternatingRecord<Older> record{memories.one, memories.other};
+        Older older{};
+        older.bytes.fill(rsi::diagnosis::status::failure);
+        older.bytes[0] = layout;
+        ASSERT_TRUE(record.write(older));
+        Life life{memories};
+        EXPECT_TRUE(life.known().empty());
+        EXPECT_EQ(life.data.codes().operation_cycles()[3], 1U);
+        EXPECT_TRUE(life.data.is_failing()) << "what was there is lost";
+        life.run(200);
+        EXPECT_FALSE(life.data.is_failing());
+        EXPECT_EQ(Life{memories}.data.codes().operation_cycles()[3], 2U) << "written anew";
+    }
+}
+
 // An update that adds codes must not take away the vehicle's number, nor the codes that there were.
 TEST(KeptData, ARecordDoesNotDependOnHowManyCodesThereAre) {
-    EXPECT_EQ(KeptData::record_length, 1U + 3U * 63U + 8U * 21U + 21U + 12U);
+    EXPECT_EQ(KeptData::record_length, 1U + 3U * 63U + 8U * 37U + 4U + 21U + 12U);
 }
 
 // The sequence number may begin again at zero.

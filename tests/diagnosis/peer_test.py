@@ -80,10 +80,21 @@ class Peer(unittest.TestCase):
         self.assertTrue(set(codes) <= {code.id for code in supported.dtcs})
         snapshot = self.client.get_dtc_snapshot_by_dtc_number(IMU_LOST, 0xFF).service_data.dtcs[0]
         self.assertEqual([each.record_number for each in snapshot.snapshots], [1, 2])
-        lateral, _, _, _, seconds = snapshot.snapshots[0].data
+        lateral, _, _, _, seconds, cycle, checksum = snapshot.snapshots[0].data
         self.assertEqual((lateral, seconds), (-32768, 1), "no sensor, and it was missed after a second")
+        self.assertEqual((cycle, checksum), (1, uds_client.checksum_in_use(self.client, TABLES)))
         extended = self.client.get_dtc_extended_data_by_dtc_number(IMU_LOST, 1, data_size=1).service_data.dtcs[0]
         self.assertEqual(extended.extended_data[0].raw_data, b"\x01")
+
+    def test_counters_of_codes_that_are_about_to_fail(self):
+        counters = lambda: {TABLES.codes[each.id]: each.fault_counter
+                            for each in self.client.get_dtc_fault_counter().service_data.dtcs}
+        self.assertEqual(counters(), {})
+        self.ecu.say("speed 0")  # and neither yaw rate nor steering, which fail after three cycles
+        self.ecu.run(1)
+        self.assertEqual(counters(), {"yaw rate invalid": 84, "steering invalid": 84})
+        self.ecu.run(5)
+        self.assertEqual(counters(), {}, "confirmed")
 
     def test_codes_outlive_a_loss_of_power(self):
         before = self.codes()
@@ -220,7 +231,13 @@ class Peer(unittest.TestCase):
     def test_the_output_of_the_commands(self):
         said = self.said(uds_client.show_codes)
         self.assertIn("U1120-87  imu lost: fails now, confirmed, pending\n    failed 1 times; good for 0", said)
-        self.assertIn("    first: 1 s after the start, nothing measured\n", said)
+        checksum = uds_client.checksum_in_use(self.client, TABLES)
+        self.assertIn(f"    first: in operation cycle 1 of 1, 1 s after its start, with the calibration {checksum:08X}: "
+                      "nothing measured\n", said)
+        self.assertNotIn("about to fail", said)
+        self.ecu.say("speed 0")
+        self.ecu.run(1)
+        self.assertIn("yaw rate invalid: about to fail, 84 of 127\n", self.said(uds_client.show_codes))
         self.assertIn("calibration: large_suv\n", self.said(uds_client.identify))
         self.assertIn("nothing wrong", self.said(uds_client.self_test))
         self.ecu.send(0x7FF, b"")
@@ -364,6 +381,9 @@ class Odx(unittest.TestCase):
         snapshot = self.ask("read_snapshots", code=IMU_LOST, record=0xFF)["snapshots"][0]
         self.assertEqual((snapshot["record"], snapshot["seconds_since_start"]), (1, 1))
         self.assertAlmostEqual(snapshot["lateral_acceleration"], -327.68)
+        self.assertEqual(snapshot["operation_cycle"], self.ask("read_operation_cycles")["operation_cycles"])
+        self.assertEqual(snapshot["calibration_checksum"], self.ask("read_calibration_checksum")["calibration_checksum"])
+        self.assertEqual(self.ask("read_fault_detection_counters")["counters"], [])
         self.assertEqual(self.ask("read_counts", code=IMU_LOST, record=0x01)["counts"], [{"record": 1, "value": 1}])
 
     def test_sessions_are_decoded(self):

@@ -480,8 +480,10 @@ TEST(SectionDownload, IsNotAcceptedWithoutATarget) {
     rsi::diagnosis::SectionDownload download;
     rsi::diagnosis::Response response;
     const Bytes request{0x34U, 0x00U, 0x11U, 0U, 1U};
-    EXPECT_EQ(download.begin({request.data(), request.size(), false}, true, response),
+    EXPECT_EQ(download.begin({request.data(), request.size(), false}, true, true, response),
               Nrc::download_not_accepted);
+    EXPECT_EQ(download.begin({request.data(), request.size(), false}, false, true, response),
+              Nrc::security_access_denied);
 }
 
 // A target that does what its interface says and no more.
@@ -512,7 +514,7 @@ TEST(SectionDownload, PutsEachByteOnceAndNoneBehindTheLast) {
     const Bytes first{0x36U, 1U, 10U, 11U, 12U, 13U, 14U, 15U};
     const Bytes second{0x36U, 2U, 16U, 17U, 18U, 19U};
     const Bytes exit{0x37U};
-    ASSERT_EQ(download.begin(ask(request), true, response), Nrc::none);
+    ASSERT_EQ(download.begin(ask(request), true, true, response), Nrc::none);
     EXPECT_EQ(download.transfer(ask(first), response), Nrc::none);
     EXPECT_EQ(download.transfer(ask(second), response), Nrc::none);
     EXPECT_EQ(download.end(ask(exit)), Nrc::none);

@@ -86,6 +86,7 @@ class Tester {
     rsi::Outputs outputs{};
     rsi::application::CalibrationIdentity calibration{};
     rsi::monitoring::Snapshot measured{};
+    rsi::monitoring::CodeSet tested{0U};  // checks that run in each cycle
 
     void fail(DiagnosticCode code) { failing_ |= rsi::monitoring::set_of(code); }
     void heal(DiagnosticCode code) { failing_ &= ~rsi::monitoring::set_of(code); }
@@ -99,7 +100,9 @@ class Tester {
         for (std::size_t code = 1U; code < rsi::monitoring::diagnostic_code_count; ++code) {
             monitoring_.report(static_cast<DiagnosticCode>(code), ((failing_ >> code) & 1U) != 0U);
         }
+        monitoring_.add_tested(tested);
         diagnosis_->step(monitoring_, inputs, outputs, calibration);
+        monitoring_.restart(diagnosis_->cleared_codes());
         clock_.set(clock_.now() + rsi::hal::Time::from_milliseconds(10));
     }
     void cycles(int count) {
@@ -223,6 +226,7 @@ class Tester {
     rsi::diagnosis::Diagnosis& diagnosis() { return *diagnosis_; }
     rsi::diagnosis::SectionStore& store() { return store_; }
     Memories& memories() { return memories_; }
+    const rsi::monitoring::DiagnosticMemory& monitoring() const { return monitoring_; }
     void set_bus_state(rsi::hal::BusState state) { bus_.endpoint(0U).set_state(state); }
 
  private:

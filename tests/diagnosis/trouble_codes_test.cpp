@@ -36,8 +36,7 @@ TEST(TroubleCodes, AreOneRowACode) {
     table[7].number = table[0].number;
     EXPECT_FALSE(rsi::diagnosis::is_table_of_all(table)) << "the number of the first row twice";
     EXPECT_EQ(rsi::diagnosis::numbers_of_all(), rsi::diagnosis::trouble_code_numbers);
-    const auto judged = rsi::diagnosis::Judged::driving;
-    EXPECT_EQ(rsi::diagnosis::row(rsi::monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number,
+    EXPECT_EQ(rsi::diagnosis::row(rsi::monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U).number,
               0xD12087U);
 }
 
@@ -48,15 +47,6 @@ TEST(TroubleCodes, AreFoundByTheirNumbers) {
               rsi::monitoring::DiagnosticCode::parameters_damaged);
     EXPECT_EQ(rsi::diagnosis::row_of_number(0x123456U), trouble_code_count);
     EXPECT_EQ(rsi::diagnosis::row_of_number(0U), trouble_code_count);
-}
-
-TEST(TroubleCodes, EachIsJudgedInOneWay) {
-    rsi::monitoring::CodeSet always = rsi::diagnosis::codes_judged(rsi::diagnosis::Judged::always);
-    rsi::monitoring::CodeSet driving = rsi::diagnosis::codes_judged(rsi::diagnosis::Judged::driving);
-    EXPECT_EQ(always & driving, 0U);
-    EXPECT_EQ(always | driving, (rsi::monitoring::CodeSet{2U} << trouble_code_count) - 2U);
-    EXPECT_NE(always & rsi::monitoring::set_of(rsi::monitoring::DiagnosticCode::imu_lost), 0U);
-    EXPECT_NE(driving & rsi::monitoring::set_of(rsi::monitoring::DiagnosticCode::roll_rate_stuck), 0U);
 }
 
 }  // namespace

@@ -23,11 +23,15 @@ namespace status = rsi::diagnosis::status;
 constexpr std::size_t row_of(DiagnosticCode code) {
     return static_cast<std::size_t>(code) - 1U;
 }
-constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                    // always judged
-constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);  // in driving
+constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);
+constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);
 constexpr std::size_t last_row = row_of(DiagnosticCode::storage_failed);
 constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
 constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);
+constexpr CodeSet all = (CodeSet{2U} << trouble_code_count) - 2U;
+constexpr int heal_of_imu = 10;
+constexpr int heal_of_gain = 20;
+constexpr int longest_heal = 500;
 constexpr std::uint8_t failing = status::test_failed | status::failed_this_cycle | status::pending |
                                  status::confirmed | status::failed_since_clear;
 
@@ -38,6 +42,14 @@ int number_in(const FreezeFrame& frame, std::size_t place) {
 unsigned seconds_in(const FreezeFrame& frame) {
     return frame[8] * 256U + frame[9];
 }
+template <typename Bytes>
+unsigned word_in(const Bytes& bytes, std::size_t place = 0U) {
+    unsigned word = 0U;
+    for (std::size_t byte = place; byte < place + 4U; ++byte) {
+        word = word * 256U + bytes.at(byte);
+    }
+    return word;
+}
 
 class Troubles : public ::testing::Test {
  protected:
@@ -45,21 +57,30 @@ class Troubles : public ::testing::Test {
         memory_.start(true);
         memory_.stored();
     }
-    void run(int cycles, CodeSet failed = 0U, float speed_mps = 0.0F, const Snapshot& measured = {}) {
-        for (int cycle = 0; cycle < cycles; ++cycle) {
-            memory_.update(failed, measured, speed_mps);
-        }
+    // `tested`: checks that run; `active`: codes that are about to fail.
+    void run(int cycles, CodeSet failed = 0U, const Snapshot& measured = {}) {
+        turn(cycles, failed, 0U, 0U, measured);
+    }
+    void run_tests(int cycles, CodeSet tested, CodeSet failed = 0U, CodeSet active = 0U) {
+        turn(cycles, failed, tested, active, {});
     }
     unsigned status_of(std::size_t row) const { return memory_.state(row).status; }
     // A whole operation cycle, good or with a failure.
     void drive(CodeSet failed = 0U) {
         memory_.start(true);
-        run(300);
+        run_tests(longest_heal, all);
         run(1, failed);
-        run(6000, 0U, 20.0F);
     }
 
     TroubleMemory memory_{};
+    unsigned checksum_{0U};
+
+ private:
+    void turn(int cycles, CodeSet failed, CodeSet tested, CodeSet active, const Snapshot& measured) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            memory_.update({failed, failed | active, tested}, measured, checksum_);
+        }
+    }
 };
 
 TEST_F(Troubles, NothingIsKnownAtFirst) {
@@ -119,39 +140,59 @@ TEST_F(Troubles, ResetsAreCountedOverStartsAndNotOverOperationCycles) {
     EXPECT_TRUE(other.takes_reset());
 }
 
-// Without a failure for three seconds; what needs driving, after a minute of it.
-TEST_F(Troubles, AGoodTestIsCompletedInTime) {
-    run(299);
-    EXPECT_EQ(status_of(imu), 0x50U);
-    EXPECT_EQ(memory_.storing(), Storing::not_needed);
-    run(1);
-    EXPECT_EQ(status_of(imu), 0x00U);
-    EXPECT_EQ(status_of(gain), 0x50U);
-    EXPECT_EQ(memory_.storing(), Storing::now);
-    run(6000, 0U, 10.0F);
-    run(100, 0U, std::numeric_limits<float>::quiet_NaN());
-    EXPECT_EQ(status_of(gain), 0x50U);
-    run(5999, 0U, 10.1F);
-    EXPECT_EQ(status_of(gain), 0x50U);
-    run(1, 0U, 10.1F);
-    EXPECT_EQ(status_of(gain), 0x00U);
-}
-
-TEST_F(Troubles, AfterAMinuteOfGoodDrivingEveryCodeIsJudged) {
-    run(6000, 0U, 20.0F);
+// After as many good tests as heal it: each code by itself.
+TEST_F(Troubles, ATestIsCompletedAfterAsManyCyclesAsHealItsCode) {
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        const CodeSet code = CodeSet{2U} << row;
+        const int heal = rsi::monitoring::debounce_of(static_cast<DiagnosticCode>(row + 1U)).heal;
+        ASSERT_LE(heal, longest_heal) << "what can be counted";
+        memory_.stored();
+        run_tests(heal - 1, code);
+        EXPECT_EQ(status_of(row), 0x50U) << row;
+        EXPECT_EQ(memory_.storing(), Storing::not_needed);
+        run_tests(1, code);
         EXPECT_EQ(status_of(row), 0x00U) << row;
+        EXPECT_EQ(memory_.storing(), Storing::later);
+        memory_.stored();
+        run_tests(longest_heal, code);
+        EXPECT_EQ(memory_.storing(), Storing::not_needed) << "once";
     }
 }
 
-TEST_F(Troubles, NoTestIsCompletedWhileACodeFails) {
-    run(1000, imu_failed, 20.0F);
-    run(1000, imu_failed | gain_failed, 20.0F);
-    EXPECT_EQ(status_of(last_row), 0x50U);
-    run(299, 0U, 20.0F);
-    EXPECT_EQ(status_of(last_row), 0x50U);
-    run(1, 0U, 20.0F);
-    EXPECT_EQ(status_of(last_row), 0x00U);
+TEST_F(Troubles, ACheckThatDoesNotRunCompletesNothing) {
+    run(10000);
+    run_tests(longest_heal, all & ~gain_failed);
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_EQ(status_of(row), (row == gain) ? 0x50U : 0x00U) << row;
+    }
+    run_tests(heal_of_gain - 1, gain_failed);
+    run(100);  // it may pause
+    EXPECT_EQ(status_of(gain), 0x50U);
+    run_tests(1, gain_failed);
+    EXPECT_EQ(status_of(gain), 0x00U);
+}
+
+// A fault that stays does not keep the others from being judged.
+TEST_F(Troubles, ATestIsCompletedWhileAnotherCodeFails) {
+    run_tests(longest_heal, all, imu_failed);
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_EQ(status_of(row), (row == imu) ? failing : 0x00U) << row;
+    }
+}
+
+// A code that is about to be confirmed is not good, and good tests count in a row.
+TEST_F(Troubles, GoodTestsCountInARow) {
+    run_tests(longest_heal, imu_failed, 0U, imu_failed);
+    EXPECT_EQ(status_of(imu), 0x50U) << "it never was good";
+    run_tests(heal_of_imu - 1, imu_failed | gain_failed);
+    run_tests(1, imu_failed, 0U, imu_failed);
+    run_tests(heal_of_imu - 1, imu_failed);
+    EXPECT_EQ(status_of(imu), 0x50U);
+    run_tests(1, imu_failed, 0U, imu_failed);
+    run_tests(heal_of_imu, imu_failed);
+    EXPECT_EQ(status_of(imu), 0x00U);
+    run_tests(heal_of_gain - heal_of_imu + 1, gain_failed);
+    EXPECT_EQ(status_of(gain), 0x00U) << "the others' counts went on";
 }
 
 TEST_F(Troubles, ANewOperationCycleBeginsTheTestsAnew) {
@@ -166,19 +207,22 @@ TEST_F(Troubles, ANewOperationCycleBeginsTheTestsAnew) {
 
 // After a repair it is judged without another start.
 TEST_F(Troubles, AClearedCodeIsJudgedAnewInTheSameCycle) {
-    run(7000, 0U, 20.0F);
+    run_tests(longest_heal, all);
     memory_.clear(imu);
+    EXPECT_EQ(memory_.cleared_codes(), imu_failed);
     EXPECT_EQ(status_of(imu), status::cleared);
-    run(299);
+    run_tests(heal_of_imu - 1, all);
+    EXPECT_EQ(memory_.cleared_codes(), 0U) << "told once";
     EXPECT_EQ(status_of(imu), status::cleared);
-    run(1);
+    EXPECT_EQ(status_of(gain), 0U);
+    run_tests(1, all);
     EXPECT_EQ(status_of(imu), 0U);
     memory_.clear_all();
-    run(300);
+    EXPECT_EQ(memory_.cleared_codes(), all);
+    run_tests(heal_of_gain - 1, all);
     EXPECT_EQ(status_of(imu), 0U);
-    run(5999, 0U, 20.0F);
     EXPECT_EQ(status_of(gain), status::cleared);
-    run(1, 0U, 20.0F);
+    run_tests(1, all);
     EXPECT_EQ(status_of(gain), 0U);
 }
 
@@ -192,6 +236,18 @@ TEST_F(Troubles, AResetIsNoNewCycle) {
     run(1, imu_failed);
     EXPECT_EQ(status_of(imu), 0x2FU);
     EXPECT_EQ(memory_.state(imu).occurrences, 2U);
+    memory_.stored();
+    run_tests(heal_of_gain - 1, gain_failed);
+    memory_.start(false);
+    run_tests(1, gain_failed);
+    EXPECT_EQ(status_of(gain), 0x50U) << "the test begins anew";
+    run_tests(heal_of_gain - 1, gain_failed);
+    EXPECT_EQ(memory_.storing(), Storing::later);
+    EXPECT_EQ(status_of(gain), 0x00U);
+    memory_.stored();
+    memory_.start(false);
+    run_tests(longest_heal, gain_failed);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed) << "it has been completed";
 }
 
 TEST_F(Troubles, ACodeIsForgottenAfterFortyGoodCycles) {
@@ -212,10 +268,23 @@ TEST_F(Troubles, ACodeIsForgottenAfterFortyGoodCycles) {
     EXPECT_EQ(status_of(gain), 0x60U);
 }
 
+TEST_F(Troubles, ARepairedCodeAgesWhileAnotherFaultStays) {
+    run(1, imu_failed | gain_failed);
+    for (int cycle = 0; cycle < 40; ++cycle) {
+        memory_.start(true);
+        run_tests(longest_heal, all, gain_failed);
+    }
+    EXPECT_EQ(memory_.state(imu).ageing, 39U);
+    EXPECT_EQ(memory_.state(gain).ageing, 0U);
+    memory_.start(true);
+    EXPECT_EQ(status_of(imu), 0x60U) << "forgotten";
+    EXPECT_EQ(status_of(gain), 0x6CU) << "failed in each cycle";
+}
+
 TEST_F(Troubles, ACycleWithoutTheTestDoesNotAge) {
     run(1, imu_failed | gain_failed);
     memory_.start(true);
-    run(1000);  // not driven
+    run_tests(1000, imu_failed);  // not driven
     memory_.start(true);
     EXPECT_EQ(memory_.state(imu).ageing, 1U);
     EXPECT_EQ(memory_.state(gain).ageing, 0U);
@@ -244,10 +313,10 @@ TEST_F(Troubles, ACodeThatNeverFailedDoesNotAge) {
 
 TEST_F(Troubles, KeepsTheFirstAndTheLastSnapshot) {
     run(298);
-    run(1, imu_failed, 0.0F, {1.234F, -0.5F, 0.0256F, 33.336F});
+    run(1, imu_failed, {1.234F, -0.5F, 0.0256F, 33.336F});
     run(1);
     run(150);
-    run(1, imu_failed, 0.0F, {-2.0F, NAN, 1.0e9F, -1.0e9F});
+    run(1, imu_failed, {-2.0F, NAN, 1.0e9F, -1.0e9F});
     const TroubleSnapshots* const kept = memory_.snapshots(imu);
     ASSERT_NE(kept, nullptr);
     EXPECT_EQ(number_in(kept->first, 0U), 123);
@@ -266,7 +335,7 @@ TEST_F(Troubles, KeepsTheFirstAndTheLastSnapshot) {
 TEST_F(Troubles, SnapshotsAreRounded) {
     const auto kept = [&](const Snapshot& measured) {
         run(1);
-        run(1, imu_failed, 0.0F, measured);
+        run(1, imu_failed, measured);
         return memory_.snapshots(imu)->last;
     };
     const FreezeFrame large = kept({1.2352F, -0.50052F, -0.02547F, 33.3347F});
@@ -290,6 +359,36 @@ TEST_F(Troubles, TheTimeOfASnapshotIsThatSinceTheStart) {
     run(1);
     run(1, imu_failed);
     EXPECT_EQ(seconds_in(memory_.snapshots(imu)->last), 1U);
+}
+
+// A workshop tells by them in which of many journeys, and with which calibration, a fault was seen.
+TEST_F(Troubles, ASnapshotHasTheOperationCycleAndTheCalibration) {
+    EXPECT_EQ(word_in(memory_.operation_cycles()), 1U);
+    checksum_ = 0x89ABCDEFU;
+    run(1, imu_failed);
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        memory_.start(true);
+    }
+    memory_.start(false);
+    checksum_ = 0x01234567U;
+    run(1, imu_failed);
+    EXPECT_EQ(word_in(memory_.operation_cycles()), 301U) << "a reset is no new cycle";
+    const TroubleSnapshots* const kept = memory_.snapshots(imu);
+    ASSERT_NE(kept, nullptr);
+    EXPECT_EQ(word_in(kept->first, 10U), 1U);
+    EXPECT_EQ(word_in(kept->first, 14U), 0x89ABCDEFU);
+    EXPECT_EQ(word_in(kept->last, 10U), 301U);
+    EXPECT_EQ(word_in(kept->last, 14U), 0x01234567U);
+    TroubleMemory other{};
+    other.restore(memory_.stored_data());
+    EXPECT_EQ(word_in(other.operation_cycles()), 301U);
+    memory_.clear_all();
+    EXPECT_EQ(word_in(memory_.operation_cycles()), 301U) << "it is of the ECU, not of a code";
+    TroubleMemory::Stored old{};
+    old.operation_cycles = {0x01U, 0xFFU, 0xFFU, 0xFFU};
+    other.restore(old);
+    other.start(true);
+    EXPECT_EQ(word_in(other.operation_cycles()), 0x02000000U);
 }
 
 TEST_F(Troubles, TheTimeOfASnapshotStandsAtItsLargest) {
@@ -354,9 +453,10 @@ TEST_F(Troubles, ACodeThatStillFailsFailsAnewAfterClearing) {
 TEST_F(Troubles, NothingIsRecordedWhileItIsOff) {
     run(1, imu_failed);
     memory_.set_recording(false);
-    run(1000, gain_failed, 20.0F);
+    run_tests(1000, all, gain_failed);
     EXPECT_EQ(status_of(imu), failing);
     EXPECT_EQ(status_of(gain), 0x50U);
+    EXPECT_EQ(status_of(last_row), 0x50U);
     memory_.set_recording(true);
     run(1, gain_failed);
     EXPECT_EQ(status_of(imu), 0x2EU);
@@ -380,9 +480,9 @@ TEST_F(Troubles, ARepeatedFailureIsStoredLater) {
 
 TEST_F(Troubles, ComesBackFromItsBytes) {
     run(123);
-    run(1, imu_failed, 0.0F, {1.0F, -2.0F, 0.3F, 40.0F});
+    run(1, imu_failed, {1.0F, -2.0F, 0.3F, 40.0F});
     run(200);
-    run(1, imu_failed | gain_failed, 0.0F, {-1.0F, 2.0F, -0.3F, 4.0F});
+    run(1, imu_failed | gain_failed, {-1.0F, 2.0F, -0.3F, 4.0F});
     TroubleMemory other{};
     other.restore(memory_.stored_data());
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {

@@ -72,12 +72,45 @@ TEST_F(UdsOrder, SessionThenAccessThenSubFunctionThenLength) {
     for (const std::uint8_t service : Bytes{0x28U, 0x2EU, 0x85U}) {
         EXPECT_EQ(ask({service}), no(service, 0x7FU));
     }
-    for (const std::uint8_t service : Bytes{0x34U, 0x36U, 0x37U}) {
+    for (const std::uint8_t service : Bytes{0x36U, 0x37U}) {
         EXPECT_EQ(ask({service}), no(service, 0x33U));
     }
     tester_.unlock(0x03U);
     EXPECT_EQ(ask({0x14U, 0xFFU}), no(0x14U, 0x13U));
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x13U));
+}
+
+// ISO 14229-1 lists 0x14 for the default session as well, but not 0x27: nothing can be unlocked there, so the
+// tester is sent to another session instead of to a key.
+TEST_F(UdsOrder, ClearingIsNotOfTheDefaultSession) {
+    tester_.unlock(0x03U);
+    ask({0x10U, 0x01U});
+    EXPECT_EQ(ask({0x27U, 0x01U}), no(0x27U, 0x7FU));
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x7FU));
+    for (const std::uint8_t session : Bytes{0x03U, 0x02U}) {
+        ask({0x10U, session});
+        EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+        tester_.unlock(session);
+        EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), (Bytes{0x54U}));
+    }
+}
+
+// Length, format, length again, range, then the key, then the conditions.
+TEST_F(UdsOrder, ADownloadIsCheckedBeforeTheKeyAndTheKeyBeforeTheConditions) {
+    const Bytes whole{0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 0U, 0x01U, 0x5CU};
+    ask({0x10U, 0x02U});
+    tester_.inputs.speed_mps = 3.0F;
+    for (const bool has_key : {false, true}) {
+        EXPECT_EQ(ask({0x34U}), no(0x34U, 0x13U));
+        EXPECT_EQ(ask({0x34U, 0x00U}), no(0x34U, 0x13U));
+        EXPECT_EQ(ask({0x34U, 0x10U, 0x24U, 0U}), no(0x34U, 0x31U)) << "the format before the length";
+        EXPECT_EQ(ask({0x34U, 0x00U, 0x24U, 0U}), no(0x34U, 0x13U));
+        EXPECT_EQ(ask({0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 1U, 0x01U, 0x5CU}), no(0x34U, 0x31U));
+        EXPECT_EQ(ask(whole), no(0x34U, has_key ? 0x22U : 0x33U));
+        tester_.inputs.speed_mps = 0.0F;
+        tester_.unlock(0x02U);
+        tester_.inputs.speed_mps = 3.0F;
+    }
 }
 
 TEST_F(UdsOrder, Routines) {

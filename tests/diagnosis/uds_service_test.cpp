@@ -338,6 +338,7 @@ TEST_F(Uds, ListsEveryCode) {
 
 TEST_F(Uds, TellsSnapshots) {
     tester_.measured = {1.0F, -0.002F, 0.5F, 12.34F};
+    tester_.calibration.checksum = 0x89ABCDEFU;
     tester_.cycles(99);
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.cycles(1);
@@ -347,10 +348,13 @@ TEST_F(Uds, TellsSnapshots) {
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.cycles(1);
     const Bytes head = Bytes{0x59U, 0x04U} + imu_lost + Bytes{0x2FU};
-    const Bytes first{0x01U, 0x01U, 0x02U, 0x00U, 0x00U, 100U,  0xFFU,
-                      0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x01U};
-    const Bytes last{0x02U, 0x01U, 0x02U, 0x00U, 0x80U, 0U,    0xFFU,
-                     0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x02U};
+    const Bytes of_both{0U, 0U, 0U, 1U, 0x89U, 0xABU, 0xCDU, 0xEFU};  // operation cycle, checksum
+    const Bytes first = Bytes{0x01U, 0x01U, 0x02U, 0x00U, 0x00U, 100U,  0xFFU,
+                              0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x01U} +
+                        of_both;
+    const Bytes last =
+        Bytes{0x02U, 0x01U, 0x02U, 0x00U, 0x80U, 0U, 0xFFU, 0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x02U} +
+        of_both;
     EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x01U}), head + first);
     EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x02U}), head + last);
     EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0xFFU}), head + first + last);
@@ -373,6 +377,55 @@ TEST_F(Uds, TellsExtendedData) {
     EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0xFFU}), head + Bytes({0x01U, 3U, 0x02U, 0U}));
     EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x00U}), no(0x19U, 0x31U));
     EXPECT_EQ(ask({0x19U, 0x06U, 0x12U, 0x34U, 0x56U, 0x01U}), no(0x19U, 0x31U));
+}
+
+// A fault that grows, or comes and goes, before the code is confirmed.
+TEST_F(Uds, TellsTheCountersOfWhatIsAboutToFail) {
+    const Bytes none{0x59U, 0x14U};
+    const auto ask_once = [&] {  // a cycle
+        tester_.send({0x19U, 0x14U});
+        return tester_.receive(0);
+    };
+    EXPECT_EQ(ask_once(), none);
+    EXPECT_EQ(ask({0x19U, 0x14U, 0xFFU}), no(0x19U, 0x13U));
+    tester_.fail(DiagnosticCode::imu_damaged);  // confirmed after three cycles
+    tester_.fail(DiagnosticCode::imu_lost);     // after one: never about to be
+    EXPECT_EQ(ask_once(), none + Bytes({0xD1U, 0x20U, 0x83U, 42U})) << "2 of 6";
+    tester_.heal(DiagnosticCode::imu_damaged);
+    EXPECT_EQ(ask_once(), none + Bytes({0xD1U, 0x20U, 0x83U, 21U})) << "1 of 6";
+    EXPECT_EQ(ask_once(), none);
+    tester_.fail(DiagnosticCode::imu_damaged);
+    tester_.cycles(3);
+    EXPECT_EQ(ask_once(), none) << "confirmed";
+}
+
+// Those of a code that is cleared begin again at zero, and so does its good test.
+TEST_F(Uds, AClearBeginsTheDebounceAnew) {
+    tester_.unlock();
+    tester_.fail(DiagnosticCode::imu_damaged);
+    tester_.fail(DiagnosticCode::roll_angle_damaged);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(1);
+    tester_.heal(DiagnosticCode::imu_damaged);
+    tester_.heal(DiagnosticCode::roll_angle_damaged);
+    tester_.send({0x14U, 0xD1U, 0x20U, 0x83U});
+    EXPECT_EQ(tester_.monitoring().fault_detection_counter(DiagnosticCode::imu_damaged), 0U);
+    EXPECT_EQ(tester_.monitoring().status(DiagnosticCode::imu_damaged), rsi::monitoring::EventStatus::none);
+    EXPECT_GT(tester_.monitoring().fault_detection_counter(DiagnosticCode::roll_angle_damaged), 0U);
+    EXPECT_TRUE(tester_.monitoring().confirmed(DiagnosticCode::imu_lost)) << "the monitoring goes on";
+}
+
+// Each check by itself: one that cannot run, for want of its sensor, leaves the others alone.
+TEST_F(Uds, TellsWhichTestsAreCompleted) {
+    tester_.tested = rsi::monitoring::set_of(DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged);
+    tester_.fail(DiagnosticCode::roll_angle_lost);
+    tester_.cycles(100);
+    const Bytes codes = ask({0x19U, 0x0AU});
+    for (std::size_t row = 0U; row < rsi::diagnosis::trouble_code_count; ++row) {
+        const bool is_tested = (row <= 1U);
+        const bool has_failed = (row == 2U);
+        EXPECT_EQ(codes.at(6U + 4U * row), has_failed ? 0x2FU : (is_tested ? 0x00U : 0x50U)) << row;
+    }
 }
 
 TEST_F(Uds, ClearsWithTheKeyOnlyAndStoresThat) {
@@ -534,6 +587,13 @@ TEST_F(Uds, TellsTheCalibrationInUse) {
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x82U}), Bytes({0x62U, 0xF1U, 0x82U}) + name);
     tester_.calibration.name = {'A'};
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x82U}), Bytes({0x62U, 0xF1U, 0x82U}) + text("A", 48U));
+}
+
+// By it a tester knows how long ago a snapshot is.
+TEST_F(Uds, TellsTheOperationCycle) {
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0xA1U}), (Bytes{0x62U, 0xF1U, 0xA1U, 0U, 0U, 0U, 1U}));
+    switch_on_again();
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0xA1U}), (Bytes{0x62U, 0xF1U, 0xA1U, 0U, 0U, 0U, 2U}));
 }
 
 TEST_F(Uds, TellsEveryOutputAndInput) {

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <set>
+#include <vector>
 
 #include "tests/support/memory_damage.hpp"
 
@@ -17,6 +19,7 @@ using rsi::monitoring::DiagnosticCode;
 using rsi::monitoring::DiagnosticMemory;
 using rsi::monitoring::DiagnosticRecord;
 using rsi::monitoring::EventStatus;
+using rsi::monitoring::set_of;
 
 // In cycles; `confirmed` with the fault in each of them, `healed` without it in any.
 struct StatedDebounce {
@@ -159,6 +162,67 @@ TEST_F(ADiagnosticMemory, ReportsAnEntryThatItHasWhateverBitOfItHasChanged) {
             }
         }
     }
+}
+
+// The set is that of one cycle.
+TEST_F(ADiagnosticMemory, KnowsWhichChecksHaveRunInACycle) {
+    EXPECT_EQ(memory.tested_codes(), 0U);
+    memory.add_tested(set_of(DiagnosticCode::imu_lost, DiagnosticCode::speed_jump));
+    memory.add_tested(set_of(DiagnosticCode::storage_failed));
+    EXPECT_EQ(memory.tested_codes(),
+              set_of(DiagnosticCode::imu_lost, DiagnosticCode::speed_jump, DiagnosticCode::storage_failed));
+    memory.begin_cycle({});
+    EXPECT_EQ(memory.tested_codes(), 0U);
+}
+
+// 127 is a code that is confirmed, and stays so until it heals.
+TEST_F(ADiagnosticMemory, CountsTowardsTheConfirmation) {
+    const auto counters_of = [&](DiagnosticCode code, std::initializer_list<bool> cycles) {
+        std::vector<int> counters;
+        for (const bool failed : cycles) {
+            memory.report(code, failed);
+            counters.push_back(memory.fault_detection_counter(code));
+        }
+        return counters;
+    };
+    EXPECT_EQ(memory.fault_detection_counter(DiagnosticCode::speed_jump), 0U);
+    EXPECT_EQ(counters_of(DiagnosticCode::speed_jump, {true, false, false, true, true, false, true, false}),
+              (std::vector<int>{42, 21, 0, 42, 84, 63, 105, 84}));
+    EXPECT_EQ(counters_of(DiagnosticCode::speed_jump, {true, false, true}),
+              (std::vector<int>{127, 127, 127}));
+    EXPECT_EQ(counters_of(DiagnosticCode::imu_lost, {true}), (std::vector<int>{127}));
+    report(DiagnosticCode::imu_lost, false, 10);
+    EXPECT_EQ(memory.fault_detection_counter(DiagnosticCode::imu_lost), 0U) << "healed";
+}
+
+TEST_F(ADiagnosticMemory, BeginsCountsAnewThatHaveNotConfirmedTheirCode) {
+    const auto all = ~rsi::monitoring::CodeSet{0U};
+    memory.report(DiagnosticCode::speed_jump, true);
+    memory.report(DiagnosticCode::imu_damaged, true);
+    memory.report(DiagnosticCode::imu_lost, true);
+    memory.report(DiagnosticCode::roll_angle_lost, true);
+    report(DiagnosticCode::roll_angle_lost, false, 10);
+    memory.restart(set_of(DiagnosticCode::speed_jump));
+    EXPECT_EQ(memory.status(DiagnosticCode::speed_jump), EventStatus::none);
+    EXPECT_EQ(memory.status(DiagnosticCode::imu_damaged), EventStatus::set) << "it was not asked for";
+    EXPECT_EQ(memory.active_codes(), set_of(DiagnosticCode::imu_damaged, DiagnosticCode::imu_lost));
+    memory.restart(all);
+    EXPECT_EQ(memory.status(DiagnosticCode::imu_lost), EventStatus::confirmed);
+    EXPECT_EQ(memory.status(DiagnosticCode::roll_angle_lost), EventStatus::healed);
+    EXPECT_EQ(memory.active_codes(), set_of(DiagnosticCode::imu_lost));
+    report(DiagnosticCode::imu_damaged, true, 2);
+    EXPECT_FALSE(memory.confirmed(DiagnosticCode::imu_damaged)) << "nothing of before counts";
+    memory.report(DiagnosticCode::imu_damaged, true);
+    EXPECT_TRUE(memory.confirmed(DiagnosticCode::imu_damaged));
+    report(DiagnosticCode::imu_damaged, false, 100);
+    memory.report(DiagnosticCode::imu_damaged, true);
+    memory.restart(all);
+    EXPECT_EQ(memory.status(DiagnosticCode::imu_damaged), EventStatus::healed)
+        << "it has been confirmed before";
+    report(DiagnosticCode::imu_lost, false, 9);
+    memory.restart(all);
+    report(DiagnosticCode::imu_lost, false, 1);
+    EXPECT_FALSE(memory.confirmed(DiagnosticCode::imu_lost)) << "healing goes on";
 }
 
 TEST_F(ADiagnosticMemory, KnowsTheSetsOfActiveAndConfirmedCodes) {

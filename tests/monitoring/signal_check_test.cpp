@@ -125,6 +125,29 @@ class ASignal : public ASignalOfTheInputMonitor, public ::testing::WithParamInte
     bool up{false};
 };
 
+// A value that is no number says nothing of jumps; one that is bridged, nothing at all.
+TEST_P(ASignal, IsTestedByEachValueThatCanBeJudged) {
+    const auto is_tested = [&](float value) {
+        memory.begin_cycle({});
+        send(value);
+        const rsi::monitoring::CodeSet both = rsi::monitoring::set_of(limits.invalid, limits.jumps);
+        const rsi::monitoring::CodeSet tested = memory.tested_codes() & both;
+        EXPECT_TRUE(tested == both || tested == 0U);
+        return tested != 0U;
+    };
+    EXPECT_TRUE(is_tested(usual));
+    EXPECT_FALSE(is_tested(nan));
+    EXPECT_FALSE(is_tested(limits.maximum + 1.0F));
+    start();
+    run(1);
+    EXPECT_TRUE(is_tested(usual + 2.0F * limits.jump)) << "and found wanting";
+    start();
+    run(1);
+    memory.begin_cycle({});
+    run_without(limits.without_its_frame, 1);
+    EXPECT_EQ(memory.tested_codes() & rsi::monitoring::set_of(limits.invalid, limits.jumps), 0U);
+}
+
 TEST_P(ASignal, IsValidUpToItsLimitsAndNotBeyond) {
     for (const float limit : {limits.minimum, limits.maximum}) {
         const float outward = (limit == limits.minimum) ? -infinity : infinity;

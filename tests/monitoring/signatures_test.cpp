@@ -101,6 +101,27 @@ TEST(TheSignatures, AreSummedUpAsACompilerDoes) {
         set_of(DiagnosticCode::speed_jump));
 }
 
+// A good test of a code is what clears it, if need be with more; and a row that clears has no excuse.
+TEST(TheSignatures, ProveEachCodeGoodByWhatClearsIt) {
+    EXPECT_EQ(rsi::monitoring::find_proven_codes(), rsi::monitoring::judged_codes);
+    for (const Signature& row : signatures) {
+        if (row.action == Action::clears) {
+            EXPECT_EQ(row.pattern.excuses, 0U) << static_cast<int>(row.code);
+            EXPECT_TRUE(std::any_of(rsi::monitoring::proofs.begin(), rsi::monitoring::proofs.end(),
+                                    [&](const rsi::monitoring::Proof& proof) {
+                                        return (proof.codes & set_of(row.code)) != 0U &&
+                                               (proof.needed & row.pattern.needed) == row.pattern.needed;
+                                    }))
+                << static_cast<int>(row.code);
+        }
+    }
+    const rsi::monitoring::Proof turn =
+        rsi::monitoring::proof_by(Symptom::turn_within).with(Symptom::turn_clear);
+    EXPECT_EQ(turn.needed, symptoms(Symptom::turn_within, Symptom::turn_clear));
+    EXPECT_EQ(turn.codes, set_of(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
+                                 DiagnosticCode::yaw_rate_contradicts_lateral_acceleration));
+}
+
 TEST(TheSignatures, SetACodeByASymptomThatSetsItAlone) {
     for (const Signature& row : signatures) {
         if (row.action == Action::sets) {
@@ -111,12 +132,12 @@ TEST(TheSignatures, SetACodeByASymptomThatSetsItAlone) {
 }
 
 TEST(TheSignatures, SetNoCodeForResidualsWithinOrNotJudged) {
-    const auto innocent =
-        symptoms(Symptom::turn_valid, Symptom::turn_within, Symptom::turn_beyond_banks, Symptom::spinning,
-                 Symptom::roll_force_valid, Symptom::roll_force_within, Symptom::lateral_suspect,
-                 Symptom::gain_valid, Symptom::roll_valid, Symptom::roll_angle_frozen,
-                 Symptom::roll_rate_frozen, Symptom::leans_into_turn, Symptom::observer_valid,
-                 Symptom::observer_within, Symptom::vertical_within, Symptom::reference_valid);
+    const auto innocent = symptoms(
+        Symptom::turn_valid, Symptom::turn_within, Symptom::turn_beyond_banks, Symptom::turn_clear,
+        Symptom::spinning, Symptom::roll_force_valid, Symptom::roll_force_within, Symptom::lateral_suspect,
+        Symptom::gain_valid, Symptom::roll_valid, Symptom::roll_angle_frozen, Symptom::roll_rate_frozen,
+        Symptom::leans_into_turn, Symptom::observer_valid, Symptom::observer_within, Symptom::vertical_within,
+        Symptom::reference_valid);
     EXPECT_EQ(rsi::monitoring::setting_symptoms & innocent, 0U);
     EXPECT_EQ(rsi::monitoring::setting_symptoms | innocent, symptoms(Symptom::count) - 1U);
 }

@@ -357,15 +357,44 @@ TEST(ParameterChange, ThatIsRefusedAsTheFirstAsksForNothing) {
     EXPECT_FALSE(change.has_gains());
 }
 
-TEST(ParameterChange, DoesNothingToAComponentThatRefusedItsParameters) {
+TEST(ParameterChange, BegunFromNothingStartsAComponentThatRefusedItsParametersAsInitDoes) {
+    const rsi_parameters good = rsi_test::large_suv();
+    Pair pair{good};
+    rsi_parameters bad = good;
+    bad.warning_on = 1.3F;
+    ASSERT_EQ(pair.changed.init(bad).accepted, 0);
+    pair.changed.change(ready_change(rsi_parameters{}, good));
+    for (int k = 0; k < 1000; ++k) {
+        pair.step();
+        ASSERT_TRUE(same_bits(pair.changed_outputs, pair.other_outputs)) << "sample " << k;
+    }
+}
+
+// It takes the gains as far as they have been prepared: no iteration runs within a cycle.
+TEST(ParameterChange, StartsWithWhatWasPrepared) {
+    const rsi_parameters good = rsi_test::large_suv();
+    Pair pair{good};
+    rsi_parameters bad = good;
+    bad.warning_on = 1.3F;
+    ASSERT_EQ(pair.changed.init(bad).accepted, 0);
+    rsi::ParameterChange change;
+    ASSERT_EQ(change.begin(rsi_parameters{}, good).accepted, 1);
+    ASSERT_FALSE(change.prepare());
+    pair.changed.change(change);
+    pair.run(1000);
+    EXPECT_NE(pair.changed_outputs.state, RSI_STATE_UNAVAILABLE);
+    EXPECT_NE(pair.changed_outputs.observed_roll_angle_rad, pair.other_outputs.observed_roll_angle_rad);
+}
+
+TEST(ParameterChange, WithoutGainsDoesNothingToAComponentThatRefusedItsParameters) {
     rsi_parameters bad = rsi_test::large_suv();
     bad.warning_on = 1.3F;
     rsi::Component component;
     ASSERT_EQ(component.init(bad).accepted, 0);
     const rsi_learnt_load before = component.learnt_load();
-    rsi_parameters heavier = rsi_test::large_suv();
-    heavier.sprung_mass_kg = 1.01F * heavier.sprung_mass_kg;
-    component.change(ready_change(rsi_test::large_suv(), heavier));
+    rsi_parameters earlier = rsi_test::large_suv();
+    earlier.warning_on = 0.95F;
+    component.change(ready_change(rsi_test::large_suv(), earlier));
     EXPECT_EQ(component.learnt_load().excess_deviation, before.excess_deviation);
     rsi_outputs outputs{};
     component.step(rsi_test::at_rest(), outputs);

@@ -83,7 +83,7 @@ class Tester:
         """When the code failed first since it was cleared, in seconds after the start; None: it has not."""
         answer = self.ask(0x19, 0x04, code, 0x01)
         assert answer[:5] == b"\x59\x04" + code, answer.hex()
-        return struct.unpack(">H", answer[-2:])[0] if len(answer) > 6 else None
+        return struct.unpack(">H", answer[18:20])[0] if len(answer) > 6 else None
 
     def codes_with(self, code, status=CONFIRMED):
         """The confirmed codes, once this one is among them with all bits of `status`."""

@@ -398,6 +398,7 @@ TEST(Store, InAMemoryThatRefusesAgainAndAgainIsReportedUntilOneIsTaken) {
     Bench bench;
     bench.connect_and_unlock();
     const auto is_reported = [&] {
+        bench.ecu().ecu().report_storage(false);  // the memory of diagnosis beside it is good
         bench.cycle();
         return bench.ecu().ecu().diagnostic_memory().confirmed(
             rsi::monitoring::DiagnosticCode::storage_failed);

@@ -31,6 +31,7 @@ void constants() {
     fmt::print("constant\tactive_session_identifier\t{}\n", rsi::diagnosis::active_session_identifier);
     fmt::print("constant\tcalibration_checksum_identifier\t{}\n",
                rsi::diagnosis::calibration_checksum_identifier);
+    fmt::print("constant\toperation_cycles_identifier\t{}\n", rsi::diagnosis::operation_cycles_identifier);
     fmt::print("constant\tsection_values_at\t{}\n", rsi::application::section::values_at);
     fmt::print("constant\tsection_length\t{}\n", rsi::application::section::length);
 }

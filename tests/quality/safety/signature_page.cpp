@@ -32,6 +32,7 @@ constexpr std::array<SymptomText, symptom_count> symptom_texts{{
     {Symptom::turn_beyond_banks, "turn beyond banks",
      "they differ by more than most roads' bank, over 0.3 s"},
     {Symptom::turn_beyond_slides, "turn beyond slides", "they differ by more than any slide, over 4 s"},
+    {Symptom::turn_clear, "turn clear", "turn valid, and a turn in which a wrong signal would show"},
     {Symptom::spinning, "spinning", "yaws faster than tyres can turn it, or did within a second"},
     {Symptom::lateral_sign_alone, "lateral sign alone",
      "yaw rate and roll angle show a turn to the other side"},
@@ -162,6 +163,16 @@ void print_signatures() {
     }
 }
 
+void print_proofs() {
+    std::cout << "\n## Good tests\nCycles in which the check of a code has run and found nothing, unless a "
+                 "row above sets the code. After as many of\nthem in a row as heal it, its test (ISO 14229-1) "
+                 "is completed: [trouble codes](../../in_the_vehicle.md#trouble-codes).\n\n"
+                 "| when | good test of |\n|---|---|\n";
+    for (const rsi::monitoring::Proof& each : rsi::monitoring::proofs) {
+        std::cout << "| " << symptom_names(each.needed) << " | " << code_names(each.codes) << " |\n";
+    }
+}
+
 void print_roll_fault_isolation() {
     std::cout
         << "\n## Roll rate against roll angle\n"
@@ -203,6 +214,7 @@ int main() {
            "wrong. Bounds and reasons:\n[safety](../../safety.md#diagnostic-codes).\n";
     print_symptoms();
     print_signatures();
+    print_proofs();
     print_roll_fault_isolation();
     print_consequences();
 }

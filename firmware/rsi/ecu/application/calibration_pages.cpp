@@ -253,9 +253,7 @@ xcp::Error CalibrationPages::store() noexcept {
         return xcp::Error::page_not_valid;
     }
     --stores_left_;
-    const bool taken = stored_->write(working_);
-    ecu_.report_storage(stored_->is_failing());
-    return taken ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
+    return stored_->write(working_) ? xcp::Error::none : xcp::Error::temporarily_not_accessible;
 }
 
 xcp::Target::Range CalibrationPages::calibration() const noexcept {

@@ -52,8 +52,12 @@ class CalibrationPages final : public xcp::Target {
     // reference. Has the ECU report a stored section that is refused.
     ParameterSectionAnswer init() noexcept;
 
-    // Between two cycles: prepares a change, or hands it to the control unit.
+    // Between two cycles: prepares a change, or hands it to the control unit; reports the memory, which
+    // diagnosis may use as well.
     void begin_cycle() noexcept {
+        if (stored_ != nullptr) {
+            ecu_.report_calibration_storage(stored_->is_failing());
+        }
         if (is_changing_) {
             go_on();
         }

@@ -17,6 +17,35 @@ constexpr monitoring::CodeSet of_rare_faults = monitoring::set_of(
     monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back,
     monitoring::DiagnosticCode::stored_parameters_refused, monitoring::DiagnosticCode::storage_failed);
 
+// Checks that need a bus that takes frames, and outputs that have been computed.
+constexpr monitoring::CodeSet of_a_good_bus = monitoring::set_of(
+    monitoring::DiagnosticCode::receive_overflow, monitoring::DiagnosticCode::own_identifier_received);
+constexpr monitoring::CodeSet of_outputs = monitoring::set_of(
+    monitoring::DiagnosticCode::estimate_out_of_range, monitoring::DiagnosticCode::output_not_finite);
+
+// A sensor that is not fitted is never fresh.
+monitoring::CodeSet tested_by(const ReceptionReport& reception) {
+    using monitoring::DiagnosticCode;
+    using monitoring::set_of;
+    constexpr monitoring::CodeSet of_imu =
+        set_of(DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged, DiagnosticCode::imu_two_senders);
+    constexpr monitoring::CodeSet of_roll_angle =
+        set_of(DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged,
+               DiagnosticCode::roll_angle_two_senders);
+    constexpr monitoring::CodeSet of_vehicle_motion =
+        set_of(DiagnosticCode::vehicle_motion_lost, DiagnosticCode::vehicle_motion_damaged,
+               DiagnosticCode::vehicle_motion_two_senders);
+    const bool has_imu = reception.imu.is_fresh();
+    const bool has_roll_angle = reception.roll_angle.is_fresh();
+    monitoring::CodeSet tested = 0U;
+    tested |= has_imu ? of_imu : 0U;
+    tested |= has_roll_angle ? of_roll_angle : 0U;
+    tested |= reception.vehicle_motion.is_fresh() ? of_vehicle_motion : 0U;
+    // The one is held against the other.
+    tested |= (has_imu && has_roll_angle) ? set_of(DiagnosticCode::imu_held_back) : 0U;
+    return tested;
+}
+
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
     const bool changed = (count != previous);
@@ -28,7 +57,7 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
-    parameters_ = parameters;
+    parameters_ = (answer.accepted != 0) ? parameters : rsi::Parameters{};
     calibration_.name = {};
     start_checks();
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
@@ -70,6 +99,11 @@ void RolloverEcu::start_component(const std::uint8_t* section,
     refusal_ = answer.refusal;
 }
 
+void RolloverEcu::report_stored_section(ParametersRefusal refusal) noexcept {
+    stored_refusal_ = refusal;
+    tests_of_every_cycle_ |= monitoring::set_of(monitoring::DiagnosticCode::stored_parameters_refused);
+}
+
 void RolloverEcu::start_checks() noexcept {
     restore_load();
     calibration_.checksum = load_keeper_.parameters_check_word();
@@ -80,11 +114,8 @@ void RolloverEcu::start_checks() noexcept {
 }
 
 void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
-    if (refusal_ != ParametersRefusal::none) {
-        static_cast<void>(init(change.parameters()));
-        return;
-    }
     const bool other_checks = change.is_another_vehicle() || change.has_other_sensors();
+    refusal_ = ParametersRefusal::none;
     parameters_ = change.parameters();
     component_.change(change);
     component_guard_.keep(component_);
@@ -160,6 +191,7 @@ bool RolloverEcu::check_itself() noexcept {
     memory_.report(DiagnosticCode::parameters_damaged, !parameters_good);
     memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
     memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
+    memory_.add_tested(computed ? of_outputs : monitoring::CodeSet{0U});
     if (!estimate_good || !outputs_good) {
         component_.reset(parameters_);  // from the parameters that parameter_guard_ checks
     }
@@ -188,8 +220,10 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
     report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
     report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
            DiagnosticCode::vehicle_motion_damaged);
+    memory_.add_tested(tested_by(reception));
     const bool is_refused = (stored_refusal_ != ParametersRefusal::none);
-    const bool is_failing = is_storage_failing_ || load_keeper_.is_failing();
+    const bool is_failing =
+        is_storage_failing_ || is_calibration_storage_failing_ || load_keeper_.is_failing();
     if (reception.has_rare_fault() || is_refused || is_failing ||
         ((memory_.active_codes() & of_rare_faults) != 0U)) {
         memory_.report(DiagnosticCode::stored_parameters_refused, is_refused);
@@ -210,6 +244,7 @@ void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint
     memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));
     memory_.report(DiagnosticCode::bus_error, health.bus_error);
     memory_.report(DiagnosticCode::receive_overflow, health.receive_overflow);
+    memory_.add_tested(tests_of_every_cycle_ | (health.bus_error ? monitoring::CodeSet{0U} : of_a_good_bus));
 }
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {

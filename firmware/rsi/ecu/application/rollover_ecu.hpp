@@ -45,10 +45,10 @@ class RolloverEcu {
 
     // Takes over other parameters between two cycles, under the preconditions of rsi::Component::change; the
     // change began from parameters(). Restarts the input monitoring only if the vehicle or its sensors have
-    // changed. An ECU that has refused its parameters is initialised with these.
+    // changed. An ECU that has refused its parameters starts with these, without the load that is stored.
     [[gnu::cold]] void change(const rsi::ParameterChange& change) noexcept;
 
-    // The parameters of the last init() or change(); all zeros after a section that was refused.
+    // The parameters of the last init() or change(); all zeros after a refusal.
     const rsi::Parameters& parameters() const noexcept { return parameters_; }
 
     // Initialises from a section that must carry a good seal. An accepted one raises the authority's version,
@@ -71,12 +71,24 @@ class RolloverEcu {
     // Before the first cycle, on a platform that can store a section: `refusal` is the reason for which the
     // stored one is not used, though the ECU runs on the image's; `none`: nothing is stored, or all is well.
     // Sets the code stored_parameters_refused, and is sent as ParametersRefusal.
-    void report_stored_section(ParametersRefusal refusal) noexcept { stored_refusal_ = refusal; }
+    [[gnu::cold]] void report_stored_section(ParametersRefusal refusal) noexcept;
     ParametersRefusal stored_refusal() const noexcept { return stored_refusal_; }
 
-    // Each cycle, on a platform that stores more than the load: a memory takes no record, or has lost one.
-    // Sets the code storage_failed, as the memory of the load does.
+    // Each cycle, on a platform that stores more than the load: a memory of diagnosis, or the one in which
+    // XCP stores sections, takes no record, or has lost one. Each sets the code storage_failed, as the memory
+    // of the load does.
     void report_storage(bool is_failing) noexcept { is_storage_failing_ = is_failing; }
+    void report_calibration_storage(bool is_failing) noexcept {
+        is_calibration_storage_failing_ = is_failing;
+    }
+
+    // After a clear by a tester: the debounce counts of these codes begin anew, so that none of what came
+    // before counts. One that is confirmed stays so until it heals.
+    void restart_debounce(monitoring::CodeSet codes) noexcept {
+        if (codes != 0U) {
+            memory_.restart(codes);
+        }
+    }
 
     // For XCP and diagnosis on the same bus: `listener` gets all received frames except those of the sensors,
     // and must outlive the ECU. False: there are two listeners already.
@@ -139,11 +151,18 @@ class RolloverEcu {
     CalibrationIdentity calibration_{};
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
+    // Codes whose checks run in every cycle; that of the stored section only where one can be stored.
+    monitoring::CodeSet tests_of_every_cycle_{monitoring::set_of(
+        monitoring::DiagnosticCode::parameters_refused, monitoring::DiagnosticCode::parameters_damaged,
+        monitoring::DiagnosticCode::memory_restored, monitoring::DiagnosticCode::cycle_overrun,
+        monitoring::DiagnosticCode::cycle_stall, monitoring::DiagnosticCode::clock_jump,
+        monitoring::DiagnosticCode::bus_error, monitoring::DiagnosticCode::storage_failed)};
     ParametersRefusal refusal_{ParametersRefusal::missing};
     ParametersRefusal stored_refusal_{ParametersRefusal::none};
     bool has_test_keys_{false};
     bool is_sending_{true};
     bool is_storage_failing_{false};
+    bool is_calibration_storage_failing_{false};
     Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     hal::Time cycle_shift_{};

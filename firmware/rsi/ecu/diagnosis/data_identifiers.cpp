@@ -32,6 +32,8 @@ bool read_identification(std::uint32_t identifier, const DataSources& sources, R
             response.put_u16(identifier);
             response.put_u32(sources.calibration.checksum);
             return true;
+        case operation_cycles_identifier:
+            return answer(identifier, sources.operation_cycles, response);
         case active_session_identifier:
             return answer(identifier, std::array<Session, 1>{sources.session}, response);
         case serial_number_identifier:

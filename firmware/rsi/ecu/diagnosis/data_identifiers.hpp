@@ -5,6 +5,7 @@
 //   F18C, F191, F195, F197         texts of the integration, likewise
 //   F186                           the session
 //   F1A0                           CRC-32 of the values in use, as XCP's BUILD_CHECKSUM has it
+//   F1A1                           operation cycles since the trouble memory was new, with the present one
 //   F190, F199                     vehicle identification number, programming date (BCD): written, and kept
 //   1000 + n, 1100 + n             the outputs of the component: numbers (float) and codes (one byte), each
 //                                  in the order of rsi/output_table.hpp
@@ -57,6 +58,7 @@ inline constexpr std::uint32_t active_session_identifier = 0xF186U;
 inline constexpr std::uint32_t vehicle_number_identifier = 0xF190U;
 inline constexpr std::uint32_t programming_date_identifier = 0xF199U;
 inline constexpr std::uint32_t calibration_checksum_identifier = 0xF1A0U;
+inline constexpr std::uint32_t operation_cycles_identifier = 0xF1A1U;
 
 // Data written by a workshop.
 struct WrittenData {
@@ -105,6 +107,7 @@ struct DataSources {
     const rsi::Inputs& inputs;
     const rsi::Outputs& outputs;
     Session session;
+    const std::array<std::uint8_t, 4>& operation_cycles;
 };
 
 // Adds the identifier and its data to the response; false for an unknown one.

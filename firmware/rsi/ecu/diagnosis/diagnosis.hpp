@@ -43,14 +43,16 @@ class Diagnosis {
         step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs(), ecu.calibration());
         ecu.set_sending(lets_ecu_send());
         ecu.report_storage(is_storage_failing());
+        ecu.restart_debounce(cleared_codes());
     }
 
-    // The same with the findings of an ECU, which asks lets_ecu_send() whether to send and
-    // is_storage_failing().
+    // The same with the findings of an ECU, which asks lets_ecu_send() whether to send,
+    // is_storage_failing() and cleared_codes().
     void step(const monitoring::DiagnosticMemory& memory, const rsi::Inputs& inputs,
               const rsi::Outputs& outputs, const application::CalibrationIdentity& calibration) noexcept {
-        kept_.codes().update(memory.confirmed_codes(), memory.snapshot(), inputs.speed_mps);
-        server_.step(memory.confirmed_codes(), inputs, outputs, calibration);
+        kept_.codes().update({memory.confirmed_codes(), memory.active_codes(), memory.tested_codes()},
+                             memory.snapshot(), calibration.checksum);
+        server_.step(memory, inputs, outputs, calibration);
         kept_.end_cycle();
     }
 
@@ -64,6 +66,9 @@ class Diagnosis {
 
     // Its memory takes no record, or has lost one.
     bool is_storage_failing() const noexcept { return kept_.is_failing(); }
+
+    // Codes that a tester has cleared in this step: their debounce counts are to begin anew.
+    monitoring::CodeSet cleared_codes() const noexcept { return kept_.codes().cleared_codes(); }
 
     // False while a tester keeps the ECU's own frames from the bus.
     bool lets_ecu_send() const noexcept { return server_.lets_ecu_send(); }

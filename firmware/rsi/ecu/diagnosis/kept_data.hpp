@@ -12,7 +12,7 @@ namespace rsi::diagnosis {
 
 // Other software reads it as well, as long as the layout has this number and codes keep theirs.
 struct KeptPayload {
-    static constexpr std::uint8_t present_layout = 1U;
+    static constexpr std::uint8_t present_layout = 2U;
 
     std::uint8_t layout{present_layout};
     TroubleMemory::Stored codes{};
@@ -61,6 +61,7 @@ class KeptData {
     void continue_order() noexcept { pace_.wait_at_most(least_cycles_between_records); }
 
     TroubleMemory& codes() noexcept { return codes_; }
+    const TroubleMemory& codes() const noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
     // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.
     void store_the_rest() noexcept {

@@ -25,7 +25,8 @@ bool is_width(std::size_t bytes) {
 // The section is at address 0 of a memory that has nothing else.
 // A request that is repeated before the first block begins anew: its answer was lost. Later the transfer has
 // to be ended first, by a change of the session if not otherwise.
-Nrc SectionDownload::begin(const Request& request, bool is_allowed, Response& response) noexcept {
+Nrc SectionDownload::begin(const Request& request, bool is_unlocked, bool is_allowed,
+                           Response& response) noexcept {
     if (request.length() < formats_length) {
         return Nrc::incorrect_length;
     }
@@ -39,12 +40,15 @@ Nrc SectionDownload::begin(const Request& request, bool is_allowed, Response& re
         return Nrc::incorrect_length;
     }
     if (target_ == nullptr) {
-        return Nrc::download_not_accepted;
+        return is_unlocked ? Nrc::download_not_accepted : Nrc::security_access_denied;
     }
     const std::uint32_t address = number_at(request, formats_length, address_width);
     const std::uint32_t length = number_at(request, formats_length + address_width, length_width);
     if ((address != 0U) || (length != target_->length())) {
         return Nrc::request_out_of_range;
+    }
+    if (!is_unlocked) {
+        return Nrc::security_access_denied;
     }
     const bool is_busy = (state_ == State::transferring) && (received_ != 0U);
     if (!is_allowed || is_busy) {

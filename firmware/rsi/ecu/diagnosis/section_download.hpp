@@ -17,8 +17,9 @@ class SectionDownload {
     // `target` must outlive this object. Without one no download is accepted.
     void use(SectionTarget& target) noexcept { target_ = &target; }
 
-    // `is_allowed`: the vehicle stands, and so on; looked at after the request itself.
-    Nrc begin(const Request& request, bool is_allowed, Response& response) noexcept;
+    // `is_unlocked`, `is_allowed` (the vehicle stands, and so on): looked at after the request itself, in
+    // this order.
+    Nrc begin(const Request& request, bool is_unlocked, bool is_allowed, Response& response) noexcept;
     Nrc transfer(const Request& request, Response& response) noexcept;
     Nrc end(const Request& request) noexcept;
 

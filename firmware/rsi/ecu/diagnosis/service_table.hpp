@@ -34,6 +34,7 @@ inline constexpr std::uint8_t by_status_mask = 0x02U;
 inline constexpr std::uint8_t snapshot_by_number = 0x04U;
 inline constexpr std::uint8_t extended_data_by_number = 0x06U;
 inline constexpr std::uint8_t supported = 0x0AU;
+inline constexpr std::uint8_t fault_detection_counter = 0x14U;
 }  // namespace dtc_report
 
 // Sub-functions of SecurityAccess, for the one security level.
@@ -62,7 +63,7 @@ enum class SubFunction : std::uint8_t {
 struct Service {
     std::uint8_t id;
     std::uint8_t sessions;
-    bool is_secured;     // every request needs security access
+    bool is_secured;     // every request needs security access, whatever it holds
     bool is_functional;  // answered under functional addressing
     SubFunction sub_function;
 };
@@ -77,7 +78,7 @@ inline constexpr std::array<Service, 14> services{{
     {service_id::communication_control, in::extended, false, true, SubFunction::listed},
     {service_id::write_data, in::extended, false, false, SubFunction::none},
     {service_id::routine_control, in::not_standard, false, false, SubFunction::own},
-    {service_id::request_download, in::programming, true, false, SubFunction::none},
+    {service_id::request_download, in::programming, false, false, SubFunction::none},
     {service_id::transfer_data, in::programming, true, false, SubFunction::none},
     {service_id::transfer_exit, in::programming, true, false, SubFunction::none},
     {service_id::tester_present, in::all, false, true, SubFunction::listed},
@@ -90,7 +91,7 @@ struct ListedSubFunction {
     std::uint8_t length;  // of the whole request, in bytes
 };
 
-inline constexpr std::array<ListedSubFunction, 17> sub_functions{{
+inline constexpr std::array<ListedSubFunction, 18> sub_functions{{
     {service_id::session_control, 0x01U, 2U},
     {service_id::session_control, 0x02U, 2U},
     {service_id::session_control, 0x03U, 2U},
@@ -101,6 +102,7 @@ inline constexpr std::array<ListedSubFunction, 17> sub_functions{{
     {service_id::read_codes, dtc_report::snapshot_by_number, 6U},
     {service_id::read_codes, dtc_report::extended_data_by_number, 6U},
     {service_id::read_codes, dtc_report::supported, 2U},
+    {service_id::read_codes, dtc_report::fault_detection_counter, 2U},
     {service_id::security_access, security::request_seed, 2U},
     {service_id::security_access, security::send_key, 18U},  // a key of 16 bytes
     {service_id::communication_control, 0x00U, 3U},          // enableRxAndTx

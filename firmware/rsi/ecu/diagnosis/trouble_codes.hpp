@@ -31,21 +31,13 @@ inline constexpr std::uint32_t missing_message = 0x87U;
 inline constexpr std::uint32_t bus_off = 0x88U;
 }  // namespace failure_type
 
-// When a good test counts as completed in an operation cycle.
-enum class Judged : std::uint8_t {
-    always,   // the condition is looked at in every cycle
-    driving,  // only where the vehicle moves as the check needs it
-};
-
 struct TroubleCode {
     std::uint32_t number;  // DTC, 24 bits
     monitoring::DiagnosticCode code;
-    Judged judged;
 };
 
-constexpr TroubleCode row(monitoring::DiagnosticCode code, std::uint32_t base, std::uint32_t type,
-                          Judged judged) {
-    return TroubleCode{(base << 8U) | type, code, judged};
+constexpr TroubleCode row(monitoring::DiagnosticCode code, std::uint32_t base, std::uint32_t type) {
+    return TroubleCode{(base << 8U) | type, code};
 }
 
 inline constexpr std::size_t trouble_code_count = monitoring::diagnostic_code_count - 1U;  // without `none`
@@ -54,63 +46,59 @@ using monitoring::DiagnosticCode;
 
 // In the order of the codes: the row of a code is its number less one.
 inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
-    row(DiagnosticCode::imu_lost, 0xD120U, failure_type::missing_message, Judged::always),
-    row(DiagnosticCode::imu_damaged, 0xD120U, failure_type::wrong_protection, Judged::always),
-    row(DiagnosticCode::roll_angle_lost, 0xD121U, failure_type::missing_message, Judged::always),
-    row(DiagnosticCode::roll_angle_damaged, 0xD121U, failure_type::wrong_protection, Judged::always),
-    row(DiagnosticCode::vehicle_motion_lost, 0xD122U, failure_type::missing_message, Judged::always),
-    row(DiagnosticCode::vehicle_motion_damaged, 0xD122U, failure_type::wrong_protection, Judged::always),
-    row(DiagnosticCode::lateral_acceleration_invalid, 0x5201U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::lateral_acceleration_jump, 0x5201U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::lateral_acceleration_stuck, 0x5201U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::vertical_acceleration_invalid, 0x5202U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::vertical_acceleration_jump, 0x5202U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::vertical_acceleration_stuck, 0x5202U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::vertical_acceleration_offset, 0x5202U, failure_type::bias, Judged::driving),
-    row(DiagnosticCode::roll_rate_invalid, 0x5203U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::roll_rate_jump, 0x5203U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::roll_rate_stuck, 0x5203U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::roll_angle_invalid, 0x5204U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::roll_angle_jump, 0x5204U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::roll_angle_stuck, 0x5204U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::bank_angle_invalid, 0x5205U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::yaw_rate_invalid, 0x5206U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::yaw_rate_jump, 0x5206U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::yaw_rate_stuck, 0x5206U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::speed_invalid, 0x5207U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::speed_jump, 0x5207U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::speed_stuck, 0x5207U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::steering_invalid, 0x5208U, failure_type::signal_invalid, Judged::always),
-    row(DiagnosticCode::steering_jump, 0x5208U, failure_type::rate_above_limit, Judged::driving),
-    row(DiagnosticCode::steering_stuck, 0x5208U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::roll_rate_contradicts_roll_angle, 0x5203U, failure_type::plausibility,
-        Judged::driving),
-    row(DiagnosticCode::roll_rate_offset, 0x5203U, failure_type::bias, Judged::driving),
-    row(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate, 0x5201U, failure_type::plausibility,
-        Judged::driving),
-    row(DiagnosticCode::roll_sensor_contradicts_observer, 0x5204U, failure_type::plausibility,
-        Judged::driving),
-    row(DiagnosticCode::yaw_rate_contradicts_lateral_acceleration, 0x5206U, failure_type::plausibility,
-        Judged::driving),
-    row(DiagnosticCode::parameters_refused, 0x5210U, failure_type::configuration, Judged::always),
-    row(DiagnosticCode::parameters_damaged, 0x5210U, failure_type::calibration_memory, Judged::always),
-    row(DiagnosticCode::estimate_out_of_range, 0x5211U, failure_type::calculation, Judged::always),
-    row(DiagnosticCode::output_not_finite, 0x5212U, failure_type::calculation, Judged::always),
-    row(DiagnosticCode::cycle_overrun, 0x5213U, failure_type::internal, Judged::always),
-    row(DiagnosticCode::cycle_stall, 0x5214U, failure_type::internal, Judged::always),
-    row(DiagnosticCode::clock_jump, 0x5215U, failure_type::internal, Judged::always),
-    row(DiagnosticCode::bus_error, 0xD001U, failure_type::bus_off, Judged::always),
-    row(DiagnosticCode::receive_overflow, 0xD001U, failure_type::bus_message, Judged::always),
-    row(DiagnosticCode::roll_angle_reference_wrong, 0x5204U, failure_type::configuration, Judged::driving),
-    row(DiagnosticCode::lateral_acceleration_gain, 0x5201U, failure_type::comparison, Judged::driving),
-    row(DiagnosticCode::memory_restored, 0x5216U, failure_type::data_memory, Judged::always),
-    row(DiagnosticCode::imu_two_senders, 0xD120U, failure_type::bus_message, Judged::always),
-    row(DiagnosticCode::roll_angle_two_senders, 0xD121U, failure_type::bus_message, Judged::always),
-    row(DiagnosticCode::vehicle_motion_two_senders, 0xD122U, failure_type::bus_message, Judged::always),
-    row(DiagnosticCode::own_identifier_received, 0xD0D0U, failure_type::bus_message, Judged::always),
-    row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility, Judged::always),
-    row(DiagnosticCode::stored_parameters_refused, 0x5217U, failure_type::calibration_memory, Judged::always),
-    row(DiagnosticCode::storage_failed, 0x5217U, failure_type::data_memory, Judged::always),
+    row(DiagnosticCode::imu_lost, 0xD120U, failure_type::missing_message),
+    row(DiagnosticCode::imu_damaged, 0xD120U, failure_type::wrong_protection),
+    row(DiagnosticCode::roll_angle_lost, 0xD121U, failure_type::missing_message),
+    row(DiagnosticCode::roll_angle_damaged, 0xD121U, failure_type::wrong_protection),
+    row(DiagnosticCode::vehicle_motion_lost, 0xD122U, failure_type::missing_message),
+    row(DiagnosticCode::vehicle_motion_damaged, 0xD122U, failure_type::wrong_protection),
+    row(DiagnosticCode::lateral_acceleration_invalid, 0x5201U, failure_type::signal_invalid),
+    row(DiagnosticCode::lateral_acceleration_jump, 0x5201U, failure_type::rate_above_limit),
+    row(DiagnosticCode::lateral_acceleration_stuck, 0x5201U, failure_type::signal_stuck),
+    row(DiagnosticCode::vertical_acceleration_invalid, 0x5202U, failure_type::signal_invalid),
+    row(DiagnosticCode::vertical_acceleration_jump, 0x5202U, failure_type::rate_above_limit),
+    row(DiagnosticCode::vertical_acceleration_stuck, 0x5202U, failure_type::signal_stuck),
+    row(DiagnosticCode::vertical_acceleration_offset, 0x5202U, failure_type::bias),
+    row(DiagnosticCode::roll_rate_invalid, 0x5203U, failure_type::signal_invalid),
+    row(DiagnosticCode::roll_rate_jump, 0x5203U, failure_type::rate_above_limit),
+    row(DiagnosticCode::roll_rate_stuck, 0x5203U, failure_type::signal_stuck),
+    row(DiagnosticCode::roll_angle_invalid, 0x5204U, failure_type::signal_invalid),
+    row(DiagnosticCode::roll_angle_jump, 0x5204U, failure_type::rate_above_limit),
+    row(DiagnosticCode::roll_angle_stuck, 0x5204U, failure_type::signal_stuck),
+    row(DiagnosticCode::bank_angle_invalid, 0x5205U, failure_type::signal_invalid),
+    row(DiagnosticCode::yaw_rate_invalid, 0x5206U, failure_type::signal_invalid),
+    row(DiagnosticCode::yaw_rate_jump, 0x5206U, failure_type::rate_above_limit),
+    row(DiagnosticCode::yaw_rate_stuck, 0x5206U, failure_type::signal_stuck),
+    row(DiagnosticCode::speed_invalid, 0x5207U, failure_type::signal_invalid),
+    row(DiagnosticCode::speed_jump, 0x5207U, failure_type::rate_above_limit),
+    row(DiagnosticCode::speed_stuck, 0x5207U, failure_type::signal_stuck),
+    row(DiagnosticCode::steering_invalid, 0x5208U, failure_type::signal_invalid),
+    row(DiagnosticCode::steering_jump, 0x5208U, failure_type::rate_above_limit),
+    row(DiagnosticCode::steering_stuck, 0x5208U, failure_type::signal_stuck),
+    row(DiagnosticCode::roll_rate_contradicts_roll_angle, 0x5203U, failure_type::plausibility),
+    row(DiagnosticCode::roll_rate_offset, 0x5203U, failure_type::bias),
+    row(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate, 0x5201U, failure_type::plausibility),
+    row(DiagnosticCode::roll_sensor_contradicts_observer, 0x5204U, failure_type::plausibility),
+    row(DiagnosticCode::yaw_rate_contradicts_lateral_acceleration, 0x5206U, failure_type::plausibility),
+    row(DiagnosticCode::parameters_refused, 0x5210U, failure_type::configuration),
+    row(DiagnosticCode::parameters_damaged, 0x5210U, failure_type::calibration_memory),
+    row(DiagnosticCode::estimate_out_of_range, 0x5211U, failure_type::calculation),
+    row(DiagnosticCode::output_not_finite, 0x5212U, failure_type::calculation),
+    row(DiagnosticCode::cycle_overrun, 0x5213U, failure_type::internal),
+    row(DiagnosticCode::cycle_stall, 0x5214U, failure_type::internal),
+    row(DiagnosticCode::clock_jump, 0x5215U, failure_type::internal),
+    row(DiagnosticCode::bus_error, 0xD001U, failure_type::bus_off),
+    row(DiagnosticCode::receive_overflow, 0xD001U, failure_type::bus_message),
+    row(DiagnosticCode::roll_angle_reference_wrong, 0x5204U, failure_type::configuration),
+    row(DiagnosticCode::lateral_acceleration_gain, 0x5201U, failure_type::comparison),
+    row(DiagnosticCode::memory_restored, 0x5216U, failure_type::data_memory),
+    row(DiagnosticCode::imu_two_senders, 0xD120U, failure_type::bus_message),
+    row(DiagnosticCode::roll_angle_two_senders, 0xD121U, failure_type::bus_message),
+    row(DiagnosticCode::vehicle_motion_two_senders, 0xD122U, failure_type::bus_message),
+    row(DiagnosticCode::own_identifier_received, 0xD0D0U, failure_type::bus_message),
+    row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility),
+    row(DiagnosticCode::stored_parameters_refused, 0x5217U, failure_type::calibration_memory),
+    row(DiagnosticCode::storage_failed, 0x5217U, failure_type::data_memory),
 };
 
 constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>& table) {
@@ -143,14 +131,6 @@ constexpr std::size_t row_of_number(std::uint32_t number) {
         ++index;
     }
     return index;
-}
-
-constexpr monitoring::CodeSet codes_judged(Judged judged) {
-    monitoring::CodeSet codes = 0U;
-    for (const TroubleCode& each : trouble_codes) {
-        codes |= (each.judged == judged) ? monitoring::set_of(each.code) : monitoring::CodeSet{0U};
-    }
-    return codes;
 }
 
 }  // namespace rsi::diagnosis

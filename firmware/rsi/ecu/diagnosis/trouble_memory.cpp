@@ -7,6 +7,7 @@ using monitoring::CodeSet;
 
 constexpr std::uint32_t cycles_per_second = 100U;
 constexpr std::uint8_t most_occurrences = 255U;
+
 constexpr CodeSet bit_of(std::size_t row) {
     return CodeSet{2U} << row;  // the codes count from 1
 }
@@ -66,20 +67,34 @@ FreezeFrame frame_of(const monitoring::Snapshot& measured, std::uint32_t cycles)
 }  // namespace
 
 void TroubleMemory::start(bool is_new_cycle) noexcept {
+    untested_ = 0U;
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         if (is_new_cycle) {
             count_cycle(data_.states[row], row);
         }
         clear_bits(data_.states[row].status, status::test_failed);
+        untested_ |= has(data_.states[row].status, status::cleared) ? bit_of(row) : CodeSet{0U};
     }
+    begin_tests(untested_);
     if (is_new_cycle) {
         data_.states[resets_at].occurrences = 0U;
+        count_operation_cycle();
     }
     failed_ = 0U;
+    active_ = 0U;
+    cleared_ = 0U;
     cycles_ = 0U;
-    good_cycles_ = 0U;
-    driven_cycles_ = 0U;
     request_storing(is_new_cycle ? Storing::now : Storing::not_needed);
+}
+
+// The carry goes from the last byte to the first.
+void TroubleMemory::count_operation_cycle() noexcept {
+    bool carries = true;
+    for (std::size_t place = data_.operation_cycles.size(); place > 0U; --place) {
+        std::uint8_t& byte = data_.operation_cycles[place - 1U];
+        byte = static_cast<std::uint8_t>(byte + (carries ? 1U : 0U));
+        carries = carries && (byte == 0U);
+    }
 }
 
 // Closes the previous operation cycle at start-up; its end cannot be observed.
@@ -103,10 +118,14 @@ void TroubleMemory::count_cycle(TroubleState& state, std::size_t row) noexcept {
 }
 
 void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& measured,
-                                float speed_mps) noexcept {
+                                std::uint32_t checksum) noexcept {
     const CodeSet changed = failed ^ failed_;
     failed_ = failed;
     measured_ = frame_of(measured, cycles_);
+    for (std::size_t index = 0U; index < 4U; ++index) {
+        measured_[10U + index] = data_.operation_cycles[index];
+        measured_[14U + index] = static_cast<std::uint8_t>((checksum >> (24U - 8U * index)) & 0xFFU);
+    }
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         const CodeSet bit = bit_of(row);
         if ((changed & failed & bit) != 0U) {
@@ -116,9 +135,6 @@ void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& meas
         } else {
             // as it was
         }
-    }
-    if (failed == 0U) {
-        count_good_cycle(speed_mps);
     }
 }
 
@@ -135,19 +151,61 @@ void TroubleMemory::fail(std::size_t row) noexcept {
     }
     set_bits(state.status, status::failure);
     clear_bits(state.status, status::cleared);
+    untested_ &= ~bit_of(row);
     state.occurrences = count_up(state.occurrences);
     state.ageing = 0U;
     keep_snapshot(row);
 }
 
-void TroubleMemory::complete(Judged how) noexcept {
-    const CodeSet judged = codes_judged(how);
+// Adds one to the number of each code at once, as a ripple-carry adder does.
+void TroubleMemory::count_tests(const Findings& found) noexcept {
+    const CodeSet interrupted = found.active & ~active_ & untested_;  // its good tests are not in a row
+    active_ = found.active;
+    if (interrupted != 0U) {
+        begin_tests(interrupted);
+    }
+    CodeSet carry = found.tested & ~found.active & untested_;
+    for (CodeSet& bits : good_tests_) {
+        const CodeSet next = bits & carry;
+        bits ^= carry;
+        carry = next;
+    }
+    if (carry != 0U) {
+        complete(carry);
+    }
+}
+
+void TroubleMemory::begin_tests(CodeSet codes) noexcept {
+    CodeSet left = codes >> 1U;  // from the first row on
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-        if ((judged & bit_of(row)) != 0U) {
+        if ((left & 1U) != 0U) {
+            begin_test(row);
+        }
+        left >>= 1U;
+    }
+}
+
+void TroubleMemory::begin_test(std::size_t row) noexcept {
+    constexpr std::uint32_t overflow = 1U << std::tuple_size<decltype(good_tests_)>::value;
+    const CodeSet bit = bit_of(row);
+    std::uint32_t number =
+        overflow - monitoring::debounce_of(static_cast<monitoring::DiagnosticCode>(code_of(row))).heal;
+    for (CodeSet& bits : good_tests_) {
+        bits = (bits & ~bit) | (((number & 1U) != 0U) ? bit : CodeSet{0U});
+        number >>= 1U;
+    }
+}
+
+void TroubleMemory::complete(CodeSet codes) noexcept {
+    untested_ &= ~codes;
+    CodeSet left = codes >> 1U;
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        if ((left & 1U) != 0U) {
             clear_bits(data_.states[row].status, status::cleared);
         }
+        left >>= 1U;
     }
-    request_storing(Storing::now);
+    request_storing(Storing::later);
 }
 
 void TroubleMemory::clear_all() noexcept {
@@ -161,8 +219,9 @@ void TroubleMemory::clear(std::size_t row) noexcept {
     data_.states[row] = TroubleState{};
     forget_snapshots(row);
     failed_ &= ~bit_of(row);
-    good_cycles_ = 0U;  // it is judged anew
-    driven_cycles_ = 0U;
+    cleared_ |= bit_of(row);
+    untested_ |= bit_of(row);
+    begin_test(row);
     request_storing(Storing::now);
 }
 

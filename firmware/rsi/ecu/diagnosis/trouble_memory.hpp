@@ -1,9 +1,9 @@
 // Trouble memory: status byte, counters and snapshots of each DTC (ISO 14229-1), kept over operation cycles
 // and losses of power.
 //
-// The monitoring (monitoring/diagnostic_memory.hpp) decides when a code has failed and when it is good again;
-// a code that it has confirmed is a failed test here. The monitoring starts afresh with the ECU; this memory
-// is stored.
+// The monitoring (monitoring/diagnostic_memory.hpp) decides when a code has failed and when it is good again,
+// and says which checks could have found a fault; a code that it has confirmed is a failed test here. The
+// monitoring starts afresh with the ECU; this memory is stored.
 #pragma once
 
 #include <array>
@@ -36,9 +36,13 @@ inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
 // bytes.
 //   0  lateral acceleration, 0.01 m/s2        4  roll angle, 0.001 rad
 //   2  roll rate, 0.001 rad/s                 6  speed, 0.01 m/s
-//   8  seconds since the start, unsigned, saturating at 65535
-// 0x8000: not available.
-using FreezeFrame = std::array<std::uint8_t, 10>;
+//   8  seconds since the start, unsigned, saturating at 65535; the control unit has no clock of the day
+// 0x8000: not available. Then numbers of four bytes:
+//   10 operation cycle, counted since the memory was new
+//   14 checksum of the calibration in use, as F1A0 has it
+using FreezeFrame = std::array<std::uint8_t, 18>;
+
+using CycleCount = std::array<std::uint8_t, 4>;  // big-endian
 
 struct TroubleState {
     std::uint8_t status{status::cleared};
@@ -50,6 +54,13 @@ struct TroubleSnapshots {
     std::uint8_t code{0U};  // number of the diagnostic code; 0: free
     FreezeFrame first{};
     FreezeFrame last{};
+};
+
+// Findings of the monitoring in one cycle.
+struct Findings {
+    monitoring::CodeSet failed;  // confirmed
+    monitoring::CodeSet active;  // these, and those that are about to be
+    monitoring::CodeSet tested;  // checks that have run under their enable condition
 };
 
 // Urgency of a change that is not stored yet.
@@ -65,17 +76,19 @@ class TroubleMemory {
     // begins, so the one before is counted; false after a reset within one.
     void start(bool is_new_cycle) noexcept;
 
-    // One cycle. `failed`: the codes that the monitoring has confirmed. `speed_mps` NaN: not known.
-    void update(monitoring::CodeSet failed, const monitoring::Snapshot& measured, float speed_mps) noexcept {
+    // One cycle. `checksum`: that of the calibration in use.
+    void update(const Findings& found, const monitoring::Snapshot& measured,
+                std::uint32_t checksum) noexcept {
         hal::count_up(cycles_);
-        if (is_recording_) {
-            if ((failed | failed_) == 0U) {
-                count_good_cycle(speed_mps);
-            } else if (failed != failed_) {
-                take_change(failed, measured, speed_mps);
-            } else {
-                // as it was
-            }
+        cleared_ = 0U;
+        if (!is_recording_) {
+            return;
+        }
+        if (found.failed != failed_) {
+            take_change(found.failed, measured, checksum);
+        }
+        if (((found.tested | found.active) & untested_) != 0U) {
+            count_tests(found);
         }
     }
 
@@ -85,6 +98,11 @@ class TroubleMemory {
 
     void clear_all() noexcept;
     void clear(std::size_t row) noexcept;
+    // Codes cleared since the last cycle. The monitoring is to debounce them anew.
+    monitoring::CodeSet cleared_codes() const noexcept { return cleared_; }
+
+    // Operation cycles since the memory was new, with the present one.
+    const CycleCount& operation_cycles() const noexcept { return data_.operation_cycles; }
 
     // By the rows of trouble_codes.
     const TroubleState& state(std::size_t row) const noexcept { return data_.states[row]; }
@@ -109,55 +127,42 @@ class TroubleMemory {
     struct Stored {
         std::array<TroubleState, most_codes> states{};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
+        CycleCount operation_cycles{};
     };
-    static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
+    static_assert(sizeof(Stored) == 3U * most_codes + 37U * snapshot_places + 4U);
 
     const Stored& stored_data() const noexcept { return data_; }
     // Accepts any content: unknown codes are left out.
     [[gnu::cold]] void restore(const Stored& stored) noexcept;
 
  private:
-    // Longer than any code that is always judged takes to be confirmed, the time for the sensors to start
-    // included.
-    static constexpr std::uint32_t cycles_to_judge = 300U;
-    // The monitoring does not say which of its conditions has been met. After so long at such a speed all
-    // that ordinary driving can meet have been.
-    static constexpr std::uint32_t driven_cycles_to_judge = 6000U;
-    static constexpr float driving_speed_mps = 10.0F;
     // The last state is of no code: its occurrences are the resets by testers in this operation cycle.
     static constexpr std::size_t resets_at = most_codes - 1U;
 
+    void count_operation_cycle() noexcept;
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
     void take_change(monitoring::CodeSet failed, const monitoring::Snapshot& measured,
-                     float speed_mps) noexcept;
+                     std::uint32_t checksum) noexcept;
     void fail(std::size_t row) noexcept;
-    [[gnu::cold]] void complete(Judged how) noexcept;
-
-    // Not while a code fails: what a check needs may be what is missing.
-    void count_good_cycle(float speed_mps) noexcept {
-        if (good_cycles_ < cycles_to_judge) {
-            ++good_cycles_;
-            if (good_cycles_ == cycles_to_judge) {
-                complete(Judged::always);
-            }
-        }
-        if ((driven_cycles_ < driven_cycles_to_judge) && (speed_mps > driving_speed_mps)) {
-            ++driven_cycles_;
-            if (driven_cycles_ == driven_cycles_to_judge) {
-                complete(Judged::driving);
-            }
-        }
-    }
+    void count_tests(const Findings& found) noexcept;
+    [[gnu::cold]] void begin_tests(monitoring::CodeSet codes) noexcept;
+    void begin_test(std::size_t row) noexcept;
+    [[gnu::cold]] void complete(monitoring::CodeSet codes) noexcept;
     void keep_snapshot(std::size_t row) noexcept;
     TroubleSnapshots* place_for(std::size_t row) noexcept;
     void forget_snapshots(std::size_t row) noexcept;
 
     Stored data_{};
-    FreezeFrame measured_{};           // in this cycle
-    monitoring::CodeSet failed_{0U};   // in the cycle before
-    std::uint32_t cycles_{0U};         // since the start
-    std::uint32_t good_cycles_{0U};    // in which nothing failed, as far as they count
-    std::uint32_t driven_cycles_{0U};  // of these
+    FreezeFrame measured_{};          // in this cycle
+    monitoring::CodeSet failed_{0U};  // in the cycle before
+    monitoring::CodeSet cleared_{0U};
+    std::uint32_t cycles_{0U};  // since the start
+    // Codes whose test is not completed since the start or a clear, and for each how many good tests in a row
+    // it has had: bit n of its number is in the set n, so that all are counted at once. The number begins so
+    // that it overflows after as many as heal a code.
+    monitoring::CodeSet untested_{0U};
+    std::array<monitoring::CodeSet, 9> good_tests_{};
+    monitoring::CodeSet active_{0U};  // when they were last counted
     bool is_recording_{true};
     Storing storing_{Storing::not_needed};
 };

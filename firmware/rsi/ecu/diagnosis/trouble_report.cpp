@@ -49,6 +49,19 @@ void put_all_dtcs(const TroubleMemory& memory, Response& response) {
     }
 }
 
+// Codes that are about to be confirmed; ISO 14229-1 leaves out those that are, and those that are not.
+void put_counters(const monitoring::DiagnosticMemory& monitoring, Response& response) {
+    constexpr std::uint8_t failed = 127U;
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        const auto code = static_cast<monitoring::DiagnosticCode>(row + 1U);
+        const std::uint8_t counter = monitoring.fault_detection_counter(code);
+        if ((counter != 0U) && (counter != failed)) {
+            response.put_u24(trouble_code_numbers[row]);
+            response.put(counter);
+        }
+    }
+}
+
 bool is_requested(std::uint8_t asked_record, std::uint8_t record) {
     return (asked_record == all_records) || (asked_record == record);
 }
@@ -98,7 +111,7 @@ Nrc report_extended_data(const Request& request, const TroubleMemory& memory, Re
 }  // namespace
 
 Nrc report_codes(std::uint8_t sub_function, const Request& request, const TroubleMemory& memory,
-                 Response& response) noexcept {
+                 const monitoring::DiagnosticMemory& monitoring, Response& response) noexcept {
     response.put(sub_function);
     switch (sub_function) {
         case dtc_report::number_by_status_mask:
@@ -111,6 +124,9 @@ Nrc report_codes(std::uint8_t sub_function, const Request& request, const Troubl
             return report_snapshots(request, memory, response);
         case dtc_report::extended_data_by_number:
             return report_extended_data(request, memory, response);
+        case dtc_report::fault_detection_counter:
+            put_counters(monitoring, response);
+            return Nrc::none;
         default:  // dtc_report::supported
             put_all_dtcs(memory, response);
             return Nrc::none;

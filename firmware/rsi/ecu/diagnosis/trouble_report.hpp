@@ -20,6 +20,6 @@ inline constexpr std::uint32_t freeze_frame_identifier = 0x0200U;
 // Preconditions: `sub_function`, without suppressPosRspMsgIndicationBit, is one of dtc_report, and the
 // request has the length that service_table.hpp lists for it.
 Nrc report_codes(std::uint8_t sub_function, const Request& request, const TroubleMemory& memory,
-                 Response& response) noexcept;
+                 const monitoring::DiagnosticMemory& monitoring, Response& response) noexcept;
 
 }  // namespace rsi::diagnosis

@@ -205,8 +205,8 @@ void UdsServer::begin_answer(const Request& request, std::size_t repeated) noexc
     }
 }
 
-// The order of ISO 14229-1: service, session, access, sub-function, length; then what the service itself
-// finds.
+// The order of ISO 14229-1: service, session, access to all of it, sub-function, length; then what the
+// service itself finds.
 Nrc UdsServer::check_and_run(const Request& request, const EcuState& ecu) noexcept {
     const Service* const service = service_of(request);
     if (service == nullptr) {
@@ -236,7 +236,7 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::clear_codes:
             return clear_codes(request, ecu);
         case service_id::read_codes:
-            return report_codes(request.sub_function(), request, kept_.codes(), response_);
+            return report_codes(request.sub_function(), request, kept_.codes(), ecu.monitoring, response_);
         case service_id::read_data:
             return read_data(request, ecu);
         case service_id::security_access:
@@ -318,8 +318,13 @@ Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
     if ((request.length() == 1U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
     }
-    const DataSources sources{identification_, ecu.calibration, kept_.written(),
-                              ecu.inputs,      ecu.outputs,     session_};
+    const DataSources sources{identification_,
+                              ecu.calibration,
+                              kept_.written(),
+                              ecu.inputs,
+                              ecu.outputs,
+                              session_,
+                              kept_.codes().operation_cycles()};
     bool is_one_known = false;
     for (std::size_t place = 1U; place < request.length(); place += 2U) {
         const bool is_known = read_identifier(request.u16_at(place), sources, response_);
@@ -449,8 +454,8 @@ Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noex
 // Reports the codes that fail now. It writes nothing: whether the memory takes records is known of the last.
 Nrc UdsServer::self_test(const Request& request, const EcuState& ecu) noexcept {
     if (request.sub_function() == start_routine) {
-        self_test_result_ =
-            self_test_of(ecu.failed | (kept_.is_failing() ? storage_failed : monitoring::CodeSet{0U}));
+        self_test_result_ = self_test_of(ecu.monitoring.confirmed_codes() |
+                                         (kept_.is_failing() ? storage_failed : monitoring::CodeSet{0U}));
         has_self_test_result_ = true;
     }
     begin_routine_answer(request);
@@ -484,7 +489,8 @@ Nrc UdsServer::check_section(const Request& request, const EcuState& ecu) noexce
 }
 
 Nrc UdsServer::request_download(const Request& request, const EcuState& ecu) noexcept {
-    const Nrc code = download_.begin(request, !is_moving(ecu) && kept_.has_orders_left(), response_);
+    const Nrc code =
+        download_.begin(request, is_unlocked(), !is_moving(ecu) && kept_.has_orders_left(), response_);
     if (code == Nrc::none) {
         static_cast<void>(kept_.takes_order());
     }

@@ -10,7 +10,7 @@
 #include "rsi/ecu/diagnosis/section_download.hpp"
 #include "rsi/ecu/diagnosis/service_table.hpp"
 #include "rsi/ecu/diagnosis/uds.hpp"
-#include "rsi/ecu/monitoring/diagnostic_code.hpp"
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi::diagnosis {
@@ -30,7 +30,7 @@ inline constexpr std::uint8_t storing = 0x20U;  // a memory does not take record
 
 // Findings and outputs of the ECU in its last cycle.
 struct EcuState {
-    monitoring::CodeSet failed;
+    const monitoring::DiagnosticMemory& monitoring;
     const rsi::Inputs& inputs;
     const rsi::Outputs& outputs;
     const application::CalibrationIdentity& calibration;
@@ -51,13 +51,13 @@ class UdsServer {
     void use(SectionTarget& target) noexcept { download_.use(target); }
 
     // Once a cycle of 10 ms: answers at most one request.
-    void step(monitoring::CodeSet failed, const rsi::Inputs& inputs, const rsi::Outputs& outputs,
-              const application::CalibrationIdentity& calibration) noexcept {
+    void step(const monitoring::DiagnosticMemory& monitoring, const rsi::Inputs& inputs,
+              const rsi::Outputs& outputs, const application::CalibrationIdentity& calibration) noexcept {
         if (access_ != nullptr) {
             access_->end_cycle();
         }
         if ((session_ != Session::standard) || transport_.is_active()) {
-            work(EcuState{failed, inputs, outputs, calibration});
+            work(EcuState{monitoring, inputs, outputs, calibration});
             transport_.end_cycle();
         }
     }

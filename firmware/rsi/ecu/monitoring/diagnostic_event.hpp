@@ -41,6 +41,19 @@ class DiagnosticEvent {
     constexpr bool is_inactive() const noexcept {
         return (status_ == EventStatus::none) || (status_ == EventStatus::healed);
     }
+    // 127 when confirmed; before that the count's share of it.
+    constexpr std::uint8_t fault_detection_counter(const Debounce& debounce) const noexcept {
+        constexpr std::uint32_t failed = 127U;
+        const std::uint32_t share = failed * count_ / (failed_step * debounce.confirm);
+        return static_cast<std::uint8_t>(confirmed() ? failed : share);
+    }
+    // Forgets a count that has not confirmed the code.
+    constexpr void restart() noexcept {
+        if (status_ == EventStatus::set) {
+            count_ = 0U;
+            status_ = inactive_status();
+        }
+    }
     constexpr EventStatus status() const noexcept { return status_; }
     constexpr bool confirmed() const noexcept { return status_ == EventStatus::confirmed; }
     // Number of confirmations; saturates at 31, the range of the signal Occurrences.

@@ -33,6 +33,22 @@ void DiagnosticMemory::update(DiagnosticCode code, bool failed, const Debounce& 
     confirmed_ = with_or_without(confirmed_, bit, entry.event.confirmed());
 }
 
+std::uint8_t DiagnosticMemory::fault_detection_counter(DiagnosticCode code) const noexcept {
+    return entries_[index_of(code)].event.fault_detection_counter(debounce_of(code));
+}
+
+void DiagnosticMemory::restart(CodeSet codes) noexcept {
+    for (std::size_t index = 1U; index < diagnostic_code_count; ++index) {
+        const CodeSet bit = CodeSet{1U} << index;
+        if ((codes & bit) != 0U) {
+            Entry& entry = entries_[index];
+            entry.event.restart();
+            seen_ = with_or_without(seen_, bit, entry.event.status() != EventStatus::none);
+            active_ = with_or_without(active_, bit, !entry.event.is_inactive());
+        }
+    }
+}
+
 DiagnosticRecord DiagnosticMemory::next() noexcept {
     const std::size_t index = next_to_report();
     const Entry& entry = entries_[index];

@@ -30,7 +30,10 @@ struct DiagnosticRecord {
 class DiagnosticMemory {
  public:
     // Snapshot for the entries confirmed in this cycle.
-    void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
+    void begin_cycle(const Snapshot& snapshot) noexcept {
+        snapshot_ = snapshot;
+        tested_ = 0U;
+    }
     const Snapshot& snapshot() const noexcept { return snapshot_; }
 
     // One cycle in which the code's condition could be judged; without a report the code keeps its status.
@@ -43,6 +46,18 @@ class DiagnosticMemory {
 
     // The code's condition has been debounced elsewhere.
     void confirm(DiagnosticCode code) noexcept { update(code, true, {1U, debounce_of(code).heal}); }
+
+    // Checks that have run in this cycle under their enable condition, so that they would have seen the
+    // fault. For such a code that is not active the cycle is a good test (ISO 14229-1), reported or not.
+    void add_tested(CodeSet codes) noexcept { tested_ |= codes; }
+    CodeSet tested_codes() const noexcept { return tested_; }
+
+    // DTC fault detection counter of ISO 14229-1: 1 to 126 while the debounce count of the code runs, 127
+    // while it is confirmed, else 0.
+    std::uint8_t fault_detection_counter(DiagnosticCode code) const noexcept;
+
+    // Debounce counts of these codes that are not confirmed begin anew.
+    void restart(CodeSet codes) noexcept;
 
     // No code is set or confirmed, so a passed cycle of any code would change nothing.
     bool no_active_codes() const noexcept { return active_ == 0U; }
@@ -77,6 +92,7 @@ class DiagnosticMemory {
     CodeSet confirmed_{0U};
     CodeSet seen_{0U};        // status other than `none`
     CodeSet unreported_{0U};  // confirmed, and not yet reported
+    CodeSet tested_{0U};      // in this cycle
 };
 
 }  // namespace rsi::monitoring

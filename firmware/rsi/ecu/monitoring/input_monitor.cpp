@@ -160,9 +160,12 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
             rsi::is_finite(qualified.roll_rate_radps) ? rsi::sample_time_s * qualified.roll_rate_radps : 0.0F;
         qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, {turned});
         // Most vehicles have no bank sensor.
+        const bool has_bank = rsi::is_finite(inputs.bank_angle_rad);
+        if (has_bank) {
+            memory.add_tested(set_of(DiagnosticCode::bank_angle_invalid));
+        }
         memory.report(DiagnosticCode::bank_angle_invalid,
-                      rsi::is_finite(inputs.bank_angle_rad) &&
-                          !rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad));
+                      has_bank && !rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad));
     } else {
         roll_angle_.forget();
     }
@@ -188,7 +191,9 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     const float turned = rsi::is_within_magnitude(sum, 5.0F) ? sum : rsi::not_available;
     turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
     // An inactive or missing reference does not clear a value that repeats itself.
-    const auto report_as = [&memory](DiagnosticCode code, bool stuck, const auto& check) noexcept {
+    CodeSet moving = 0U;
+    const auto report_as = [&memory, &moving](DiagnosticCode code, bool stuck, const auto& check) noexcept {
+        moving |= check.moves() ? set_of(code) : CodeSet{0U};
         if (stuck || check.moves()) {
             memory.report(code, stuck);
         }
@@ -211,6 +216,7 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps,
            speed_noise_.is_known() ? turn : rsi::not_available);
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
+    memory.add_tested(moving);
 }
 
 // An angle that is held back cannot show a contradiction, but only with it can one be over.
@@ -263,6 +269,7 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
     slow_vehicle_.update(inputs);
     return gain_symptoms(before) | symptom_if(turn_consistency_.known(), Symptom::turn_valid) |
            symptom_if(turn_consistency_.agrees(), Symptom::turn_within) |
+           symptom_if(rsi::absolute(yaw_acceleration) > clear_force_mps2, Symptom::turn_clear) |
            symptom_if(turn_consistency_.suspicious(), Symptom::turn_beyond_banks) |
            symptom_if(turn_consistency_.contradicts(), Symptom::turn_beyond_slides) |
            symptom_if(turn_consistency_.spins(), Symptom::spinning) |
@@ -323,8 +330,13 @@ Symptoms InputMonitor::observer_symptoms(const rsi::Inputs& inputs,
            symptom_if(out && far, Symptom::observer_far);
 }
 
-// Nothing to set or clear.
+// Mostly there is nothing to set or clear.
 void InputMonitor::judge(Symptoms seen, DiagnosticMemory& memory) noexcept {
+    CodeSet good = 0U;
+    for (const Proof& each : proofs) {
+        good |= ((seen & each.needed) == each.needed) ? each.codes : CodeSet{0U};
+    }
+    memory.add_tested(good);
     if (((memory.active_codes() & judged_codes) == 0U) && ((seen & setting_symptoms) == 0U)) {
         return;
     }

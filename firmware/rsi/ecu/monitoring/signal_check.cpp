@@ -28,12 +28,14 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, const SignalSu
         return good_;
     }
     if (good && (doubted_samples_ == 0U) && memory.no_active_codes()) {
+        memory.add_tested(codes_);
         keep(value);
         return value;
     }
     memory.report(limits_.invalid, !valid);
     if (valid) {
         memory.report(limits_.jumps, unsteady);
+        memory.add_tested(codes_);
     }
     if (good && (doubted_samples_ > 0U) && support.vehicle_is_calm && !is_far(value, support)) {
         count_burst(memory);

@@ -30,7 +30,8 @@ struct SignalSupport {
 
 class SignalCheck {
  public:
-    constexpr explicit SignalCheck(const SignalLimits& limits) noexcept : limits_{limits} {}
+    constexpr explicit SignalCheck(const SignalLimits& limits) noexcept
+        : limits_{limits}, codes_{set_of(limits.invalid, limits.jumps)} {}
 
     // One value that its frame has brought.
     // A value beyond its range, or further from the last good one than a cycle allows, or shaken, gives that
@@ -93,6 +94,7 @@ class SignalCheck {
     }
 
     SignalLimits limits_;
+    CodeSet codes_;
     float good_{0.0F};
     bool known_{false};  // good_ is a value
     float last_{0.0F};   // as received, this one and the one before

@@ -124,6 +124,34 @@ constexpr Symptoms find_setting_symptoms() noexcept {
 }
 inline constexpr Symptoms setting_symptoms = find_setting_symptoms();
 
+// Codes of which symptoms are a good test: their checks are enabled, and find nothing unless a row sets the
+// code. A symptom that clears a code also shows, if need be with another, that there is none.
+struct Proof {
+    Symptoms needed;
+    CodeSet codes;
+
+    constexpr Proof with(Symptom other) const noexcept { return {needed | symptoms(other), codes}; }
+};
+
+constexpr Proof proof_by(Symptom symptom) noexcept {
+    Proof proof{symptoms(symptom), 0U};
+    for (const Signature& each : signatures) {
+        const bool is_shown = (each.action == Action::clears) && (each.pattern.needed == proof.needed);
+        proof.codes |= is_shown ? set_of(each.code) : CodeSet{0U};
+    }
+    return proof;
+}
+
+inline constexpr std::array<Proof, 6> proofs{
+    // Straight on nothing is seen of the yaw rate, and little of the force.
+    proof_by(Symptom::turn_within).with(Symptom::turn_clear),
+    proof_by(Symptom::gain_valid),
+    proof_by(Symptom::observer_within),
+    proof_by(Symptom::roll_valid),
+    proof_by(Symptom::vertical_within),
+    proof_by(Symptom::reference_valid),
+};
+
 constexpr CodeSet find_judged_codes() noexcept {
     CodeSet all = 0U;
     for (const Signature& each : signatures) {
@@ -132,6 +160,15 @@ constexpr CodeSet find_judged_codes() noexcept {
     return all;
 }
 inline constexpr CodeSet judged_codes = find_judged_codes();
+
+constexpr CodeSet find_proven_codes() noexcept {
+    CodeSet all = 0U;
+    for (const Proof& each : proofs) {
+        all |= each.codes;
+    }
+    return all;
+}
+static_assert(find_proven_codes() == judged_codes, "each code can be shown to be over");
 
 // Isolation of roll rate and roll angle that contradict each other: the first row that fits names the faulty
 // one; if none does, it is the roll rate, without which there is no statement on the risk.

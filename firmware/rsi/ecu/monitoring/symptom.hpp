@@ -13,6 +13,7 @@ enum class Symptom : std::uint8_t {
     turn_within,
     turn_beyond_banks,
     turn_beyond_slides,
+    turn_clear,
     spinning,
     lateral_sign_alone,
     yaw_sign_alone,
