@@ -7,6 +7,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "cmake/environment"))
 
+import dbc_signals
 import decode
 import draft
 import drive
@@ -49,6 +50,7 @@ def parse(arguments):
 
 def main(arguments):
     options = parse(arguments)
+    dbc_signals.read_once.cache_clear()  # each call says what is odd of its files
     sys.unraisablehook = lambda _: None  # asammdf fails once more, in a destructor, after it has refused a file
     try:
         if options.command == "convert":

@@ -94,7 +94,7 @@ class DbcSource:
                 raise LogError(f"{log}: has no frame of any message of {database.name}; is it the right log or DBC file?")
 
     def keys_of_candidates(self):
-        """Of the messages with a signal that may be a quantity."""
+        """Keys of the messages with a signal that may be a quantity."""
         keys = set()
         for signal in self.signals:
             if any(signal_names.likeness(quantity, signal)[0] for quantity in QUANTITIES):

@@ -49,7 +49,7 @@ def markdown(made, left_out, found, doubts, output):
         found = re.sub(r"^drive +warning s.*?^Results in .*?\n", "", found, flags=re.DOTALL | re.MULTILINE)  # it is above
         found = re.sub(r"^  identify doubts: .*\n", "", found, flags=re.MULTILINE)  # it is below
         text += section("What validate found", [line.strip() for line in found.splitlines() if line.strip()])
-    return text + section("What identify doubts about the calibration", doubts)
+    return text + section("Doubts of identify about the calibration", doubts)
 
 
 def section(title, lines):

@@ -446,8 +446,7 @@ std::optional<std::string> straight_start_doubt(const PreparedDrive& drive) {
         std::abs(offsets.roll_angle_rad) * degrees_per_radian > 0.5) {
         return fmt::format(
             "on the straight the sensors show {:+.3f} g and {:+.2f} deg of roll; that was taken off here, "
-            "but "
-            "the component does not do so: zero the sensors, or drive on a level road",
+            "but the component does not do so: zero the sensors, or drive on a level road",
             offsets.lateral_mps2 / g_mps2, offsets.roll_angle_rad * degrees_per_radian);
     }
     return std::nullopt;

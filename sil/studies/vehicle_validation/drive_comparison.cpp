@@ -94,8 +94,7 @@ std::string cut_before_lift(PreparedDrive& prepared, const VehicleData& vehicle)
     }
     return fmt::format(
         "from {:.2f} s on a first wheel may have lifted, by the heights of the vehicle data and without "
-        "wheel "
-        "loads: not compared",
+        "wheel loads: not compared",
         *prepared.cut_s);
 }
 

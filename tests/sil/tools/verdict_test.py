@@ -79,7 +79,7 @@ class Folder(drive_support.WithDrives):
         self.assertRegex(written, r"## slow\.candump\n\n(- .*\n)*- 2 turns, 1 to the left and 1 to the right: left .*, right .*\n")
         self.assertRegex(written, r"- slalom: within, ")
         self.assertIn("of a warning near lift-off it is not known without wheel loads", written)
-        self.assertIn("## What identify doubts about the calibration\n\n- without wheel loads ", written)
+        self.assertIn("## Doubts of identify about the calibration\n\n- without wheel loads ", written)
         self.assertNotIn("identify doubts: ", written)
         for name in ("ramp-slow", "dynamic-a-step"):
             self.assertIn(f"replays/{name}/report.html", written)
@@ -99,7 +99,7 @@ class Folder(drive_support.WithDrives):
         self.assertIn("squares: warnings", page)
         support.call("/usr/bin/python3", "-B", support.PROJECT / "tests/sil/page/screens.py", self.output / "verdict.html")
 
-    def test_what_is_odd_is_said_once(self):
+    def test_oddities_are_said_once(self):
         """The DBC file's lines, and what of a log was left out, by a draft and by a verdict on two logs."""
         odd = self.folder / "odd.dbc"
         odd.write_bytes(foreign_recorder.DBC.read_bytes() + b'CM_ SG_ 1027 Gone "nothing";\n')
