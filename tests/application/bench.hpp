@@ -111,6 +111,9 @@ class Bench {
         ecu_.report_stored_section(refusal);
     }
 
+    // A tester has cleared these codes.
+    void restart_debounce(rsi::monitoring::CodeSet codes) { ecu_.restart_debounce(codes); }
+
     // Why the ECU's controller started.
     void start_after(rsi::hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
 

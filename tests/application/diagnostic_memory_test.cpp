@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "rsi/ecu/monitoring/diagnostic_event.hpp"
+#include "tests/application/bench.hpp"
 
 namespace testing_application {
 namespace {
@@ -132,6 +133,24 @@ TEST(DiagnosticMemory, TellsNewsAtOnceAndTheRestRoundAndRound) {
     EXPECT_EQ(memory.next().code, DiagnosticCode::cycle_overrun);
     EXPECT_EQ(memory.next().code, DiagnosticCode::clock_jump);
     EXPECT_EQ(memory.next().code, DiagnosticCode::imu_lost);
+}
+
+// A code that is about to be confirmed, cleared: nothing of before counts.
+TEST(TheEcusDiagnosticMemory, BeginsTheDebounceOfAClearedCodeAnew) {
+    Bench bench;
+    bench.run_until_ready();
+    Motion motion;
+    motion.vehicle_motion.yaw_rate_deg_per_s = rsi::can_dbc::not_available;
+    bench.drive(motion);
+    bench.run_cycles(1);
+    bench.restart_debounce(0U);
+    EXPECT_EQ(bench.diagnostic_memory().status(DiagnosticCode::yaw_rate_invalid), EventStatus::set);
+    bench.restart_debounce(rsi::monitoring::set_of(DiagnosticCode::yaw_rate_invalid));
+    EXPECT_EQ(bench.diagnostic_memory().status(DiagnosticCode::yaw_rate_invalid), EventStatus::none);
+    bench.run_cycles(2);
+    EXPECT_FALSE(bench.diagnostic_memory().confirmed(DiagnosticCode::yaw_rate_invalid));
+    bench.run_cycles(1);
+    EXPECT_TRUE(bench.diagnostic_memory().confirmed(DiagnosticCode::yaw_rate_invalid));
 }
 
 }  // namespace

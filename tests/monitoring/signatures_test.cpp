@@ -115,11 +115,15 @@ TEST(TheSignatures, ProveEachCodeGoodByWhatClearsIt) {
                 << static_cast<int>(row.code);
         }
     }
-    const rsi::monitoring::Proof turn =
-        rsi::monitoring::proof_by(Symptom::turn_within).with(Symptom::turn_clear);
-    EXPECT_EQ(turn.needed, symptoms(Symptom::turn_within, Symptom::turn_clear));
-    EXPECT_EQ(turn.codes, set_of(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
-                                 DiagnosticCode::yaw_rate_contradicts_lateral_acceleration));
+    CodeSet shown = 0U;
+    for (unsigned index = 0U; index < static_cast<unsigned>(Symptom::count); ++index) {
+        const auto symptom = static_cast<Symptom>(index);
+        const rsi::monitoring::Proof proof = rsi::monitoring::proof_by(symptom).with(Symptom::turn_clear);
+        EXPECT_EQ(proof.needed, symptoms(symptom, Symptom::turn_clear));
+        EXPECT_EQ(proof.codes & shown, 0U) << "once";
+        shown |= proof.codes;
+    }
+    EXPECT_EQ(shown, rsi::monitoring::judged_codes);
 }
 
 TEST(TheSignatures, SetACodeByASymptomThatSetsItAlone) {

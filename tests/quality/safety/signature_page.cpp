@@ -164,10 +164,11 @@ void print_signatures() {
 }
 
 void print_proofs() {
-    std::cout << "\n## Good tests\nCycles in which the check of a code has run and found nothing, unless a "
-                 "row above sets the code. After as many of\nthem in a row as heal it, its test (ISO 14229-1) "
-                 "is completed: [trouble codes](../../in_the_vehicle.md#trouble-codes).\n\n"
-                 "| when | good test of |\n|---|---|\n";
+    std::cout
+        << "\n## Good tests\nCycles in which the check of a code has run and found nothing, unless a "
+           "row above sets the code. After as many of\nthem in a row as heal it, its test (ISO 14229-1) "
+           "is completed: [trouble codes](../../in_the_vehicle.md#trouble-codes).\n\n"
+           "| when | good test of |\n|---|---|\n";
     for (const rsi::monitoring::Proof& each : rsi::monitoring::proofs) {
         std::cout << "| " << symptom_names(each.needed) << " | " << code_names(each.codes) << " |\n";
     }
