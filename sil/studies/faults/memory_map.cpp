@@ -59,6 +59,7 @@ constexpr std::array ecu_members{
     member<rsi::application::CalibrationIdentity>("calibration's identity"),
     member<rsi::Inputs>("inputs"),
     member<rsi::Outputs>("outputs"),
+    member<rsi::monitoring::CodeSet>("tests of every cycle"),
     member<std::array<std::uint32_t, 8>>("health")};
 
 constexpr std::size_t after(std::size_t end, const Member& next) {
