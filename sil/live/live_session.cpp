@@ -150,8 +150,9 @@ std::string LiveSession::head() const {
     json.pop_back();
     return json +
            fmt::format(
-               ",\"input\":{{\"speed_kmh\":{:.0f}}},\"driven\":{},\"heals_within_s\":{:.0f},\"faults\":{}}}",
-               wish_.speed_mps * 3.6, !what_.manoeuvre, heals_within_s, live_faults_json());
+               ",\"input\":{{\"speed_kmh\":{:.0f}}},\"driven\":{},\"heals_within_s\":{},\"faults\":{}}}",
+               wish_.speed_mps * 3.6, !what_.manoeuvre,
+               what_.sensors.noise ? fmt::format("{:.0f}", heals_within_s) : "null", live_faults_json());
 }
 
 std::string LiveSession::begin() {

@@ -48,7 +48,8 @@ class LiveSession {
     void finish();
 
     static constexpr std::size_t most_waiting_rows = 1000U;
-    // From "all sensors good" on until the firmware uses them all again, with sensor noise.
+    // From "all sensors good" on until the firmware uses them all again, with sensor noise; without, not in
+    // any time.
     static constexpr double heals_within_s = 3.0;
 
  private:

@@ -109,6 +109,7 @@ class Driver {
       byId(input).disabled = !head.driven; // a manoeuvre has its own driver
     }
     byId("hint").hidden = !head.driven;
+    byId("heals-note").hidden = head.heals_within_s === null;
     byId("heals").textContent = String(head.heals_within_s);
     this.page.show(this.recording, true);
   }

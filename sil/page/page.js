@@ -330,7 +330,7 @@ class Page extends Sheet {
     byId("lead").dataset.value = String(recording.judgement.lead_time_s ?? "");
   }
 
-  showLamp(state, side, words = LAMP_WORDS[state] + (side === "none" ? "" : ", " + side + " side")) {
+  showLamp(state, side, words = (LAMP_WORDS[state] ?? state) + (side === "none" ? "" : ", " + side + " side")) {
     const lamp = byId("lamp");
     lamp.dataset.state = state;
     lamp.dataset.side = side;
@@ -356,8 +356,8 @@ class Page extends Sheet {
 
   leadText() {
     const { judgement, events } = this.recording;
-    const side = events.warning ? this.recording.raw("side", this.recording.rowFrom(events.warning.time_s)) : "none";
-    const warned = `warned of the ${side} side`;
+    const side = events.warning ? this.recording.raw("side", this.recording.rowFrom(events.warning.time_s)) : null;
+    const warned = side === "left" || side === "right" ? `warned of the ${side} side` : "warned"; // a long drive is forgotten
     if (this.recording.head.lift_off_is_known === false) {
       return (events.warning ? warned : "not warned") + "; whether wheels lifted is not known";
     }
@@ -406,7 +406,7 @@ class Page extends Sheet {
       return;
     }
     this.shownDiagnosis = key;
-    byId("degradation").textContent = entry ? DEGRADATION_WORDS[entry.degradation] : "nothing heard yet";
+    byId("degradation").textContent = entry ? DEGRADATION_WORDS[entry.degradation] ?? entry.degradation : "nothing heard yet";
     byId("codes").innerHTML = "";
     const lists = entry ? [[entry.confirmed, "confirmed"], [entry.set.filter((code) => !entry.confirmed.includes(code)), "set"]] : [];
     for (const [codes, status] of lists) {

@@ -81,7 +81,8 @@ def path_picture(drive, warnings):
     drawn.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="var(--green)"/>')
     drawn += [square(*place(min(int(numpy.searchsorted(drive.times_us, 1.0e6 * float(time_s))), len(across) - 1)))
               for time_s, _ in warnings]
-    return figure("Path by speed and yaw rate, from the dot to the right: a left turn goes up" + ("; squares: warnings" if warnings else "")
+    return figure("Path by speed and yaw rate, from the dot to the right: a left turn goes up"
+                  + ("; squares: warnings" if warnings else "")
                   + (f"; without {unknown_s:.1f} s that are not known" if unknown_s else ""), drawn)
 
 
@@ -116,8 +117,8 @@ def acceleration_picture(drive, warnings):
         drawn.append(text(place(time_s, 0.0)[0], HEIGHT - 6, f"{time_s:g}"))
     drawn += [line([[place(float(time_s), size), place(float(time_s), -size)]], "--vermilion", 1.6) for time_s, _ in warnings]
     drawn.append(line([[place(*point) for point in piece] for piece in envelope(times_s, values)], "--sky", 1.5))
-    return figure("Lateral acceleration [m/s\u00b2] over time [s]: of a left turn above zero" + ("; upright: warnings" if warnings else ""),
-                  drawn)
+    return figure("Lateral acceleration [m/s\u00b2] over time [s]: of a left turn above zero"
+                  + ("; upright: warnings" if warnings else ""), drawn)
 
 
 def pictures(drive, warnings):

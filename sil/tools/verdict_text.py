@@ -9,8 +9,8 @@ import urllib.parse
 import drive_pictures
 
 SHOWN_WARNINGS = 4
-STYLE = """body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 1.5rem auto; padding: 0 1rem; overflow-wrap: anywhere;
-  background: var(--ground); color: var(--ink) }
+STYLE = """body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 1.5rem auto; padding: 0 1rem;
+  overflow-wrap: anywhere; background: var(--ground); color: var(--ink) }
 a { color: var(--accent) } h1, h2 { line-height: 1.2 } ul { padding-left: 1.2rem }
 h2 { border-top: 1px solid var(--line); padding-top: 1rem; margin-top: 1.6rem; font-size: 1.2rem }
 .pictures { display: grid; gap: 0.8rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)) }

@@ -39,8 +39,8 @@ TEST(CampaignPicture, DetectionAndLeadsAreDrawn) {
     }
 }
 
-// `count` times in `text`.
-std::size_t times(const std::string& text, const std::string& part) {
+// Places of `part` in `text`.
+std::size_t count_of(const std::string& text, const std::string& part) {
     std::size_t count = 0U;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1U)) {
         ++count;
@@ -56,7 +56,7 @@ TEST(CampaignPicture, ShowsTheFirmwaresWarningHoweverManyAlarmsItGives) {
     sil::write_report(sil::make_report(rows, 3U), folder.path());
     ASSERT_EQ(draw(folder.path()), 0) << text_of(folder.path() / "messages");
     // Half of the calm runs: once in the key, and in each of three panels.
-    EXPECT_EQ(times(text_of(folder.path() / "detection.svg"), "<use xlink:href='#gpPt5' transform"), 4U);
+    EXPECT_EQ(count_of(text_of(folder.path() / "detection.svg"), "<use xlink:href='#gpPt5' transform"), 4U);
 }
 
 TEST(CampaignPicture, HasTheColoursOfThePage) {

@@ -225,12 +225,11 @@ TEST_F(LiveSession, BreaksASensorAndMendsIt) {
 
 // Straight ahead and in a turn, after one fault and after several that follow each other.
 TEST_F(LiveSession, HealsWithinTheTimeThatThePageStates) {
-    const Json first = Json::parse(session.begin());
-    EXPECT_EQ(first["drive"]["heals_within_s"], sil::LiveSession::heals_within_s);
+    EXPECT_TRUE(Json::parse(session.begin())["drive"]["heals_within_s"].is_null()) << "without noise";
     sil::LiveVehicle noisy = what();
     noisy.sensors.noise = true;
     sil::LiveSession drives{noisy, 80.0, recorders()};
-    drives.begin();
+    EXPECT_EQ(Json::parse(drives.begin())["drive"]["heals_within_s"], sil::LiveSession::heals_within_s);
     drive(drives, 200);
     for (std::size_t place = 0U; place < sil::live_faults().size(); ++place) {
         drives.take(place < 4U ? R"({"steering_deg": 0})" : R"({"steering_deg": 40})");

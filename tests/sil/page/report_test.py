@@ -186,6 +186,8 @@ class Report(unittest.TestCase):
         self.show(["time_s", "ecu_state", "ecu_side"], [[0, "ready", "none"], [1, "warning", "left"], [2, "ready", "none"]],
                   {"warning": {"time_s": 1}})
         self.assertEqual(self.seen()["lead"], "warned of the left side; no two wheels of a side have lifted")
+        self.show(["time_s", "true_speed_mps"], [[0, 1], [1, 1]], {"warning": {"time_s": 1}})
+        self.assertEqual(self.seen()["lead"], "warned; no two wheels of a side have lifted")
 
     def test_on_a_straight_noise_does_not_move_the_threshold_to_the_other_side(self):
         self.open()

@@ -24,7 +24,8 @@ CONTRAST = """(() => {
       return numbers(getComputedStyle(document.body).backgroundColor).slice(0, 3);
     }
     const colour = numbers(getComputedStyle(element).backgroundColor);
-    return alphaOf(colour) > 0 ? over(colour.slice(0, 3), behind(element.parentElement), alphaOf(colour)) : behind(element.parentElement);
+    const below = behind(element.parentElement);
+    return alphaOf(colour) > 0 ? over(colour.slice(0, 3), below, alphaOf(colour)) : below;
   };
   let least = [21, ""];
   for (const element of document.body.querySelectorAll("*")) {

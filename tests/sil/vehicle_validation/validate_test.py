@@ -283,8 +283,8 @@ class Validate(unittest.TestCase):
                     self.assertTrue(page.run(f"(() => {{ const {{ canvas, frame, series }} = study.charts.{quantity}_{number};"
                                              "const [x, low, high] = series[0].points.find(([at]) => at > 1.8);"
                                              "return canvas.getContext('2d').getImageData(frame.toX(x), frame.toY(high) + 1, 1,"
-                                             "Math.max(frame.toY(low) - frame.toY(high) - 2, 1)).data.every((each, place) => place % 4 < 3 ||"
-                                             "each > 0); })()"), "the corridor is filled")
+                                             "Math.max(frame.toY(low) - frame.toY(high) - 2, 1)).data.every((each, place) =>"
+                                             "place % 4 < 3 || each > 0); })()"), "the corridor is filled")
             expect_plain_page(self, tab, self.output / "report.html")
 
 
