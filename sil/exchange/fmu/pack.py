@@ -23,6 +23,7 @@ import structure
 
 COMPILER = "/usr/bin/g++"
 OPTIONS = ("-std=c++17", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-fvisibility-inlines-hidden")
+WINDOWS_COMPILER = "/usr/bin/x86_64-w64-mingw32-g++"
 UNIT = "rsi_ecu.cpp"  # the only source to be compiled; it includes the others
 INTERFACE = ("fmi2.cpp", "fmi3.cpp", "instance.cpp", "serial_state.cpp")
 # Else two FMUs in a process might find each other's functions.
@@ -162,7 +163,21 @@ def structure_of(packed, rows, version):
     return files
 
 
-def main(vehicle_file, calibration, output, build):
+def add_windows(packed, scratch):
+    """DLLs of the ECU, by the FMUs' own sources."""
+    for version, platform in ((2, "win64"), (3, "x86_64-windows")):
+        files, folder = packed[f"{ECU.identifier}_fmi{version}.fmu"], scratch / platform
+        for name, content in files.items():
+            if name.startswith("sources/"):
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                (folder / name).write_bytes(content)
+        binary = folder / f"{ECU.identifier}.dll"
+        run(WINDOWS_COMPILER, "-std=c++17", "-O2", "-ffp-contract=off", "-shared", "-static", "-s", f"-I{folder}/sources", "-o",
+            binary, folder / "sources" / UNIT)
+        files[f"binaries/{platform}/{binary.name}"] = binary.read_bytes()
+
+
+def main(vehicle_file, calibration, output, build, windows=None):
     complete(ECU, "calibration", calibration, build)
     complete(VEHICLE, "vehicle", vehicle_file, build)
     packed, all_rows = {}, {}
@@ -176,6 +191,8 @@ def main(vehicle_file, calibration, output, build):
             all_rows[model.identifier] = rows
             for version in (2, 3):
                 packed[f"{model.identifier}_fmi{version}.fmu"] = files_of(model, version, binary, rows, sources)
+        if windows is not None:
+            add_windows(packed, scratch)
     packed["rollover_warning.ssp"] = structure_of(packed, all_rows, ECU.version)
     try:
         output.mkdir(parents=True, exist_ok=True)

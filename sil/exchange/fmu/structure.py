@@ -32,7 +32,7 @@ def add_connection(parent, start, end, name):
 
 
 def text_of(vehicle, ecu, version):
-    """The description, made of the rows of both FMUs, which are of FMI 2."""
+    """The file for the rows of both FMUs, which are of FMI 2."""
     ElementTree.register_namespace("ssd", SSD)
     ElementTree.register_namespace("ssc", SSC)
     root = ElementTree.Element(tag(SSD, "SystemStructureDescription"), version="1.0", name=NAME,
