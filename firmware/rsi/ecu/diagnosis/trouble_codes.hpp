@@ -111,6 +111,9 @@ inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
     row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility, Judged::always),
     row(DiagnosticCode::stored_parameters_refused, 0x5217U, failure_type::calibration_memory, Judged::always),
     row(DiagnosticCode::storage_failed, 0x5217U, failure_type::data_memory, Judged::always),
+    row(DiagnosticCode::vehicle_mass_invalid, 0x5209U, failure_type::signal_invalid, Judged::always),
+    row(DiagnosticCode::vehicle_mass_jump, 0x5209U, failure_type::rate_above_limit, Judged::driving),
+    row(DiagnosticCode::vehicle_mass_contradicts_load, 0x5209U, failure_type::plausibility, Judged::driving),
 };
 
 constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>& table) {
