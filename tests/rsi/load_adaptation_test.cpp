@@ -162,10 +162,10 @@ TEST(LoadSplit, AdmitsAMassThatTheShownLoadCanHave) {
     EXPECT_EQ(rsi::admitted_mass_change(-0.039F, 0.0F), -0.039F);
     EXPECT_FLOAT_EQ(rsi::admitted_mass_change(0.3F, 0.09F), 0.04F);
     EXPECT_FLOAT_EQ(rsi::admitted_mass_change(-0.3F, 0.0F), -0.04F);
-    EXPECT_EQ(rsi::admitted_mass_change(0.33F, 0.2F), 0.33F);
-    EXPECT_FLOAT_EQ(rsi::admitted_mass_change(1.0F, 0.2F), 0.34F);
+    EXPECT_EQ(rsi::admitted_mass_change(0.43F, 0.2F), 0.43F);
+    EXPECT_FLOAT_EQ(rsi::admitted_mass_change(1.0F, 0.2F), 0.44F);
     EXPECT_FLOAT_EQ(rsi::admitted_mass_change(-0.2F, 0.2F), -0.04F);
-    EXPECT_FLOAT_EQ(rsi::admitted_mass_change(-1.0F, -0.2F), -0.34F);
+    EXPECT_FLOAT_EQ(rsi::admitted_mass_change(-1.0F, -0.2F), -0.44F);
     EXPECT_FLOAT_EQ(rsi::admitted_mass_change(0.2F, -0.2F), 0.04F);
 }
 

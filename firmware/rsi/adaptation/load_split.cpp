@@ -23,7 +23,7 @@ constexpr float clear_excess = 2.0F * usual_error;
 // Change of mass that needs no load to be shown: what axle loads and the calibration are wrong by.
 constexpr float unshown_mass = 0.04F;
 // Mass over moment of the lowest load that is still taken for one: on the floor of a truck.
-constexpr float mass_of_low_load = 1.5F;
+constexpr float mass_of_low_load = 2.0F;
 // Beyond what is admitted: a stiffness that is wrong by 10 % and a load at the roll centre's height together.
 constexpr float impossible_mass = 0.25F;
 

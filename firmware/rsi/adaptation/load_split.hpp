@@ -16,8 +16,8 @@ float excess_beyond_errors(float excess);
 float excess_beside_mass(float excess, float by_mass);
 
 // Change of the sprung mass, as a share, that is used of one that is received: as far as driving shows a load that
-// can be it. `shown`: the excess that driving has shown. A load that is shown admits half as much again, as low as
-// it may lie; a body that rolls as calibrated admits no more than the calibration's errors.
+// can be it. `shown`: the excess that driving has shown. A load that is shown admits twice as much, as low as it
+// may lie; a body that rolls as calibrated admits no more than the calibration's errors.
 float admitted_mass_change(float by_mass, float shown);
 
 // Driving has shown the load, `deviation` being small, and it cannot be that of the received mass: a trailer is in
