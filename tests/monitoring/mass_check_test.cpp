@@ -92,6 +92,8 @@ TEST_F(AMass, ThatChangesWhileTheVehicleMovesIsNotUsedUntilItIsBackOrTheVehicleS
     run(50, 1.04F);
     EXPECT_FALSE(confirmed(DiagnosticCode::vehicle_mass_jump));
     EXPECT_TRUE(is_used());
+    run(3, 1.06F);  // nor in small steps
+    EXPECT_TRUE(is_not_used());
     run(100, 1.3F);
     inputs.speed_mps = nan;  // which may be any
     run(100, 1.3F);

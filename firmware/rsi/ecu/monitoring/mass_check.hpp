@@ -19,8 +19,8 @@ class MassCheck {
         sprung_mass_kg_ = parameters.sprung_mass_kg;
     }
 
-    // One cycle; NaN where there is no mass to use. A mass that is not available is no fault. One that changes while
-    // the vehicle moves is not used: a load comes at a stop.
+    // One cycle; NaN where there is no mass to use. A mass that is not available is no fault. One that is another
+    // than at the last stop is not used: a load comes at a stop.
     float qualify(float mass_kg, float speed_mps, DiagnosticMemory& memory) noexcept {
         by_mass_ = rsi::not_available;
         if (!rsi::is_finite(mass_kg)) {
@@ -34,14 +34,15 @@ class MassCheck {
             return rsi::not_available;
         }
         const bool stands = rsi::is_within_magnitude(speed_mps, standing_mps);
-        const bool jumps =
-            known_ && !stands && !rsi::is_within_magnitude(by_mass - good_by_mass_, largest_change);
-        memory.report(DiagnosticCode::vehicle_mass_jump, jumps);
-        if (jumps) {
+        if (stands || !known_) {
+            loaded_by_mass_ = by_mass;
+            known_ = true;
+        }
+        const bool changes = !rsi::is_within_magnitude(by_mass - loaded_by_mass_, largest_change);
+        memory.report(DiagnosticCode::vehicle_mass_jump, changes);
+        if (changes) {
             return rsi::not_available;
         }
-        known_ = true;
-        good_by_mass_ = by_mass;
         by_mass_ = by_mass;
         return mass_kg;
     }
@@ -63,7 +64,7 @@ class MassCheck {
     float unsprung_mass_kg_{0.0F};
     float sprung_mass_kg_{1.0F};
     float by_mass_{rsi::not_available};  // change of the sprung mass, as a share; NaN: none to judge
-    float good_by_mass_{0.0F};
+    float loaded_by_mass_{0.0F};  // the same at the last stop, or of the first mass
     bool known_{false};
 };
 
