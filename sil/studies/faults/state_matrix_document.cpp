@@ -123,6 +123,23 @@ std::string cell_of_failure(const std::vector<Reaction>& reactions) {
     return fmt::format("{} of {}", found, visible) + (slowest ? fmt::format(", {}", *slowest) : "");
 }
 
+// Of those without a code.
+std::string latest_warning(const Failure& failure) {
+    std::optional<int> latest;
+    for (const std::vector<Reaction>& reactions : failure.by_state) {
+        for (const Reaction& reaction : reactions) {
+            if (reaction.code || reaction.unavailable || !reaction.visible) {
+                continue;
+            }
+            if (reaction.warning_missed) {
+                return "never";
+            }
+            latest = std::max(latest, reaction.lead_loss);
+        }
+    }
+    return latest ? fmt::format("{:+}", *latest) : "";
+}
+
 bool is_always_found(const Failure& failure) {
     for (const std::vector<Reaction>& reactions : failure.by_state) {
         for (const Reaction& reaction : reactions) {
@@ -139,9 +156,11 @@ std::string why_not_found(const Failure& failure) {
     if (is_always_found(failure)) {
         return "";
     }
-    for (const KnownUndetected& each : known_undetected_errors()) {
-        if (each.kind == failure.kind && each.place == failure.place) {
-            return each.why;
+    for (const std::vector<KnownUndetected>& list : {known_undetected_errors(), undetected_in_states()}) {
+        for (const KnownUndetected& each : list) {
+            if (each.kind == failure.kind && each.place == failure.place) {
+                return each.why;
+            }
         }
     }
     for (const KnownFinding& each : known_findings()) {
@@ -163,6 +182,7 @@ std::string detection_table(const StateMatrix& matrix) {
     for (const DrivingState& state : matrix.states) {
         table.columns.push_back({state.name});
     }
+    table.columns.push_back({"warning, ms later"});
     table.columns.push_back({"why not"});
     for (const Failure& failure : failures_in(matrix)) {
         std::vector<TableCell> cells{to_string(failure.place), to_string(failure.kind),
@@ -170,6 +190,7 @@ std::string detection_table(const StateMatrix& matrix) {
         for (const std::vector<Reaction>& reactions : failure.by_state) {
             cells.emplace_back(cell_of_failure(reactions));
         }
+        cells.emplace_back(latest_warning(failure));
         cells.emplace_back(why_not_found(failure));
         table.rows.push_back(std::move(cells));
     }
