@@ -25,7 +25,7 @@ constexpr std::size_t row_of(DiagnosticCode code) {
 }
 constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                    // always judged
 constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);  // in driving
-constexpr std::size_t storage = row_of(DiagnosticCode::storage_failed);          // always judged, one of the last
+constexpr std::size_t storage = row_of(DiagnosticCode::storage_failed);  // always judged, one of the last
 constexpr std::size_t last_row = row_of(DiagnosticCode::vehicle_mass_contradicts_load);
 constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
 constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);

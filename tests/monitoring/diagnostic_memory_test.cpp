@@ -260,7 +260,8 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::vehicle_mass_contradicts_load}) {
+    for (const DiagnosticCode code :
+         {DiagnosticCode::imu_lost, DiagnosticCode::vehicle_mass_contradicts_load}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

@@ -156,7 +156,8 @@ TEST(LoadSplit, WithItsMassABodyIsNotTakenForALightOne) {
     EXPECT_FLOAT_EQ(rsi::excess_beside_mass(-0.6F, -0.2F), -0.4F);
 }
 
-// Of an excess that driving has shown: as low as a load may lie, and what errors of axle loads and calibration make.
+// Of an excess that driving has shown: as low as a load may lie, and what errors of axle loads and
+// calibration make.
 TEST(LoadSplit, AdmitsAMassThatTheShownLoadCanHave) {
     EXPECT_EQ(rsi::admitted_mass_change(0.039F, 0.0F), 0.039F);
     EXPECT_EQ(rsi::admitted_mass_change(-0.039F, 0.0F), -0.039F);
@@ -283,8 +284,8 @@ TEST(LoadAdaptation, TheMassSaysWhatIsMassAndWhatIsHeight) {
     EXPECT_NEAR(half.known_mass_factor(), 1.25F, 1.0e-5F);
 }
 
-// A trailer, another vehicle's mass, an axle that is not weighed: without a load that is shown the body is as it is
-// without a mass.
+// A trailer, another vehicle's mass, an axle that is not weighed: without a load that is shown the body is as
+// it is without a mass.
 TEST(LoadAdaptation, AMassThatDrivingDoesNotShowLeavesTheBodyAsItIs) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     for (const float factor : {0.7F, 0.8F, 1.2F, 1.5F, 2.0F}) {

@@ -90,8 +90,8 @@ SprungBody LoadAdaptation::body(const Constants& constants) const {
                                        : excess_beyond_errors(used_excess_);
     const float moment_factor =
         smaller(1.0F + constants.used_share * excess, constants.largest_moment_factor);
-    const float mass_factor = mass_is_used_ ? 1.0F + constants.used_share * used_mass_change_
-                                            : assumed_mass_factor(moment_factor);
+    const float mass_factor =
+        mass_is_used_ ? 1.0F + constants.used_share * used_mass_change_ : assumed_mass_factor(moment_factor);
     return with_load(constants.calibrated, moment_factor, mass_factor);
 }
 

@@ -43,8 +43,9 @@ class LongStop {
 
 // A calibration describes one load. The roll response shows by how much another load changes the product m_s
 // H (sprung mass times roll arm, LoadRegression). Its split into mass and height needs the vehicle's mass, if
-// another control unit sends it (load_split.hpp), and driving has to confirm that mass. The estimate is kept over gaps in the inputs; its variance
-// is raised after a long stop and after power-on, because the load may have changed.
+// another control unit sends it (load_split.hpp), and driving has to confirm that mass. The estimate is kept
+// over gaps in the inputs; its variance is raised after a long stop and after power-on, because the load may
+// have changed.
 class LoadAdaptation {
  public:
     struct Constants {
@@ -71,8 +72,8 @@ class LoadAdaptation {
     // The calibrated body, corrected by used_share of the learnt load.
     SprungBody body(const Constants& constants) const;
 
-    // Sprung mass over the calibrated one, from the received vehicle mass, weighted by used_share; 1 if none was
-    // received, or if driving refutes it.
+    // Sprung mass over the calibrated one, from the received vehicle mass, weighted by used_share; 1 if none
+    // was received, or if driving refutes it.
     float known_mass_factor(const Constants& constants) const {
         return 1.0F + constants.used_share * accepted_mass_change();
     }

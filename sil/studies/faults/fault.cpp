@@ -124,8 +124,8 @@ std::vector<Fault> make_further() {
 std::vector<Fault> make_mass_faults() {
     std::vector<Fault> all;
     const FaultPlace mass = mass_signal.place;
-    for (const FaultKind kind : {FaultKind::frozen, FaultKind::offset, FaultKind::drift, FaultKind::noise, FaultKind::saturated,
-                                 FaultKind::not_available, FaultKind::out_of_range}) {
+    for (const FaultKind kind : {FaultKind::frozen, FaultKind::offset, FaultKind::drift, FaultKind::noise,
+                                 FaultKind::saturated, FaultKind::not_available, FaultKind::out_of_range}) {
         all.push_back({kind, mass, magnitude_of(kind, mass_signal)});
     }
     for (const double gain : mass_gains) {
@@ -187,8 +187,9 @@ const std::vector<Fault>& further_faults() {
 
 std::vector<Fault> in_each_sign(const Fault& fault) {
     // A saturated speed has one end: the lower one is a vehicle at rest.
-    const bool has_sign = fault.kind == FaultKind::turned_about_x || fault.kind == FaultKind::turned_about_z || fault.kind == FaultKind::offset || fault.kind == FaultKind::drift ||
-                          is_second_sender(fault.kind) ||
+    const bool has_sign = fault.kind == FaultKind::turned_about_x ||
+                          fault.kind == FaultKind::turned_about_z || fault.kind == FaultKind::offset ||
+                          fault.kind == FaultKind::drift || is_second_sender(fault.kind) ||
                           (fault.kind == FaultKind::saturated && fault.place != FaultPlace::speed &&
                            fault.place != FaultPlace::vehicle_mass);
     if (!has_sign) {

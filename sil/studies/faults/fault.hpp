@@ -41,7 +41,8 @@ enum class FaultKind : std::uint8_t {
     error_passive,   // the same
     clock_jump,      // of the ECU's clock, once, by `magnitude` milliseconds
     process_stop,    // the ECU computes nothing for `magnitude` milliseconds, then goes on
-    // A housing that is turned about its x axis, or its z axis, by `magnitude`: sets of sensors (turned_housings.hpp)
+    // A housing that is turned about its x axis, or its z axis, by `magnitude`: sets of sensors
+    // (turned_housings.hpp)
     turned_about_x,
     turned_about_z,
 };
@@ -101,7 +102,8 @@ const std::vector<Fault>& all_faults();
 // Those of the vehicle's mass, which few vehicles have on the bus: in every matrix.
 const std::vector<Fault>& mass_faults();
 
-// For the matrix of states: of signals that fail together. Gains stand for a supply, missing values for a connector.
+// For the matrix of states: of signals that fail together. Gains stand for a supply, missing values for a
+// connector.
 const std::vector<Fault>& coupled_faults();
 
 // Of good sensors, for the matrix of states: small offsets and gains, one signal at a time.

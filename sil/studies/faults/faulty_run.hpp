@@ -18,8 +18,8 @@ struct FaultyRun {
     bool watchdog_fed{true};                          // once in each cycle that was computed
 };
 
-// Without a fault (kind `none`): the drive as it is, with a sensor of bank or mass if the place is that. Throws
-// std::invalid_argument when the calibration is refused.
+// Without a fault (kind `none`): the drive as it is, with a sensor of bank or mass if the place is that.
+// Throws std::invalid_argument when the calibration is refused.
 FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rsi::Parameters& calibration);
 
 // Without a fault, with and without a sensor of bank or mass: what a run with a fault is compared with.

@@ -41,9 +41,11 @@ const std::vector<KnownUndetected>& undetected_in_states() {
          "a tenth is within what load, calibration and bank can do, and all three agree"},
         {FaultKind::gain, FaultPlace::motion_signals, 0,
          "slides and banks have as much between yaw rate times speed and the lateral acceleration"},
-        {FaultKind::gain, FaultPlace::all_signals, 0, "all agree, but for gravity in the vertical acceleration"},
+        {FaultKind::gain, FaultPlace::all_signals, 0,
+         "all agree, but for gravity in the vertical acceleration"},
         {FaultKind::turned_about_x, FaultPlace::inertial_signals, 0,
-         "6 deg are 1 m/s^2 of gravity, a road's bank to every other sensor; no check knows the mean of minutes"},
+         "6 deg are 1 m/s^2 of gravity, a road's bank to every other sensor; no check knows the mean of "
+         "minutes"},
     };
     return all;
 }

@@ -1,4 +1,5 @@
-// Signal fault: a sensor whose value is wrong, or several that fail together; their frames are protected as ever.
+// Signal fault: a sensor whose value is wrong, or several that fail together; their frames are protected as
+// ever.
 #pragma once
 
 #include <cstddef>

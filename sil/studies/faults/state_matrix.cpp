@@ -8,7 +8,8 @@ namespace {
 
 std::vector<StateRow> rows_of_all_faults() {
     std::vector<StateRow> rows;
-    for (const std::vector<Fault>& faults : {all_faults(), further_faults(), mass_faults(), coupled_faults(), tolerances()}) {
+    for (const std::vector<Fault>& faults :
+         {all_faults(), further_faults(), mass_faults(), coupled_faults(), tolerances()}) {
         for (const Fault& fault : faults) {
             rows.push_back({fault, {}, {}});
         }
@@ -36,7 +37,8 @@ void inject_rows(StateMatrix& matrix, const DrivingState& state, const rsi::Para
 }
 
 // In every state from the ECU's start on.
-void turn_housings(StateMatrix& matrix, const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
+void turn_housings(StateMatrix& matrix, const VehicleParameters& vehicle,
+                   const rsi::Parameters& calibration) {
     const SensorOptions usual = recording_sensors(vehicle);
     std::vector<SensorOptions> sensors{usual};
     for (const TurnedHousing& each : turned_housings(usual)) {

@@ -1,5 +1,5 @@
-// Turned housings: the usual sensors with an IMU that is turned against the body, as by a loose screw or a bracket that
-// is bent. Both accelerations and the roll rate are wrong together.
+// Turned housings: the usual sensors with an IMU that is turned against the body, as by a loose screw or a
+// bracket that is bent. Both accelerations and the roll rate are wrong together.
 #pragma once
 
 #include <vector>

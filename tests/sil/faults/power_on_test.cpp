@@ -70,7 +70,8 @@ TEST_P(AtPowerOn, AWrongMassLeavesTheLeadOfAWarning) {
         const long without = first_warning({});
         ASSERT_LT(without, static_cast<long>(drive.samples.size())) << name;
         for (const double gain : {0.7, 0.8, 0.9, 1.1, 1.2, 1.3, 1.6, 2.0}) {
-            EXPECT_NEAR(first_warning({FaultKind::gain, FaultPlace::vehicle_mass, gain}), without, 10) << gain;
+            EXPECT_NEAR(first_warning({FaultKind::gain, FaultPlace::vehicle_mass, gain}), without, 10)
+                << gain;
         }
         EXPECT_NEAR(first_warning({FaultKind::offset, FaultPlace::vehicle_mass, 1000.0}), without, 10);
     }

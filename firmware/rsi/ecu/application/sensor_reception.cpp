@@ -119,8 +119,8 @@ rsi::Inputs SensorReception::inputs(const ReceptionReport& report) const noexcep
     const can_dbc::VehicleMass mass =
         report.vehicle_mass_is_fresh ? vehicle_mass_.latest().value : can_dbc::VehicleMass{};
     // A code beyond the range is a mass that no vehicle has, unlike one that is not available.
-    const bool mass_is_impossible = report.vehicle_mass_is_fresh && (vehicle_mass_.latest().status.mass_kg ==
-                                                                     SignalStatus::out_of_range);
+    const bool mass_is_impossible =
+        report.vehicle_mass_is_fresh && (vehicle_mass_.latest().status.mass_kg == SignalStatus::out_of_range);
 
     rsi::Inputs inputs{};
     inputs.lateral_specific_force_mps2 = imu.lateral_acceleration_mps2;

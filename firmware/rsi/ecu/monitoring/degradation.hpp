@@ -19,8 +19,8 @@ enum class Degradation : std::uint8_t {
 };
 
 // Degradation of a cycle with these inputs and outputs.
-inline Degradation degradation_of(const rsi::Inputs& inputs, const rsi::Outputs& outputs,
-                                  bool internal_fault, CodeSet confirmed) noexcept {
+inline Degradation degradation_of(const rsi::Inputs& inputs, const rsi::Outputs& outputs, bool internal_fault,
+                                  CodeSet confirmed) noexcept {
     if (internal_fault) {
         return Degradation::internal_fault;
     }

@@ -1,5 +1,5 @@
-// Mass check: the received vehicle mass against what is plausible for the calibration, against the mass before and
-// against the load that driving has shown.
+// Mass check: the received vehicle mass against what is plausible for the calibration, against the mass
+// before and against the load that driving has shown.
 #pragma once
 
 #include "rsi/adaptation/load_bounds.hpp"
@@ -19,8 +19,8 @@ class MassCheck {
         sprung_mass_kg_ = parameters.sprung_mass_kg;
     }
 
-    // One cycle; NaN where there is no mass to use. A mass that is not available is no fault. One that is another
-    // than at the last stop is not used: a load comes at a stop.
+    // One cycle; NaN where there is no mass to use. A mass that is not available is no fault. One that is
+    // another than at the last stop is not used: a load comes at a stop.
     float qualify(float mass_kg, float speed_mps, DiagnosticMemory& memory) noexcept {
         by_mass_ = rsi::not_available;
         if (!rsi::is_finite(mass_kg)) {
@@ -47,14 +47,15 @@ class MassCheck {
         return mass_kg;
     }
 
-    // The mass of this cycle against the load as the component knew it a cycle before; nothing while that is not sure.
+    // The mass of this cycle against the load as the component knew it a cycle before; nothing while that is
+    // not sure.
     Symptoms symptoms_with(const rsi::Outputs& before) const noexcept {
         const bool known =
             rsi::is_finite(by_mass_) && (before.load_excess_deviation < rsi::sure_load_deviation);
         return symptom_if(known, Symptom::load_valid) |
-               symptom_if(known && rsi::contradicts_load(by_mass_, before.load_excess,
-                                                         before.load_excess_deviation),
-                          Symptom::load_beyond);
+               symptom_if(
+                   known && rsi::contradicts_load(by_mass_, before.load_excess, before.load_excess_deviation),
+                   Symptom::load_beyond);
     }
 
  private:
@@ -64,7 +65,7 @@ class MassCheck {
     float unsprung_mass_kg_{0.0F};
     float sprung_mass_kg_{1.0F};
     float by_mass_{rsi::not_available};  // change of the sprung mass, as a share; NaN: none to judge
-    float loaded_by_mass_{0.0F};  // the same at the last stop, or of the first mass
+    float loaded_by_mass_{0.0F};         // the same at the last stop, or of the first mass
     bool known_{false};
 };
 
