@@ -156,7 +156,7 @@ TEST(LoadSplit, WithItsMassABodyIsNotTakenForALightOne) {
     EXPECT_FLOAT_EQ(rsi::excess_beside_mass(-0.6F, -0.2F), -0.4F);
 }
 
-// Of an excess that driving has shown: as low as a load may lie, and what errors of axle loads and
+// A load that driving has shown: as low as a load may lie, and what errors of axle loads and
 // calibration make.
 TEST(LoadSplit, AdmitsAMassThatTheShownLoadCanHave) {
     EXPECT_EQ(rsi::admitted_mass_change(0.039F, 0.0F), 0.039F);

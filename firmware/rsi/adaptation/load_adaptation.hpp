@@ -103,7 +103,7 @@ class LoadAdaptation {
     float mass_factor_{1.0F};  // sprung mass over the calibrated one, from the received vehicle mass
     bool mass_known_{false};
     float learnt_at_mass_factor_{1.0F};  // mass_factor_ to which the learnt load belongs
-    // What is used of both for body(), as of the last sample.
+    // The used part of both for body(), as of the last sample.
     float used_mass_change_{0.0F};
     float used_excess_{0.0F};
     bool mass_is_used_{false};

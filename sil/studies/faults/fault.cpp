@@ -50,7 +50,7 @@ constexpr std::array mass_gains{0.7, 0.8, 1.2, 1.3, 1.6, 2.0};
 // A supply that fails: off, too low or too high for sensors whose output follows it.
 constexpr std::array supply_gains{0.0, 0.8, 0.9, 1.1, 1.25};
 
-// Of good sensors: share of the matrix' offset, and gains.
+// Tolerances of good sensors: share of the matrix' offset, and gains.
 constexpr double offset_tolerance = 0.25;
 constexpr std::array gain_tolerances{0.95, 1.05};
 

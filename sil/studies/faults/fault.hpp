@@ -106,7 +106,7 @@ const std::vector<Fault>& mass_faults();
 // connector.
 const std::vector<Fault>& coupled_faults();
 
-// Of good sensors, for the matrix of states: small offsets and gains, one signal at a time.
+// Tolerances of good sensors, for the matrix of states: small offsets and gains, one signal at a time.
 const std::vector<Fault>& tolerances();
 
 // The further ones that the matrix of states has: gains, dead sensors, large offsets, second senders.

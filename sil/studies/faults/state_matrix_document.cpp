@@ -123,7 +123,7 @@ std::string cell_of_failure(const std::vector<Reaction>& reactions) {
     return fmt::format("{} of {}", found, visible) + (slowest ? fmt::format(", {}", *slowest) : "");
 }
 
-// Of those without a code.
+// The latest of the runs without a code.
 std::string latest_warning(const Failure& failure) {
     std::optional<int> latest;
     for (const std::vector<Reaction>& reactions : failure.by_state) {
