@@ -97,7 +97,7 @@ class LoadAdaptation {
  private:
     void follow_mass(const Constants& constants, float vehicle_mass_kg);
     void doubt();
-    void weigh_mass();
+    [[gnu::noinline]] void weigh_mass();
     float accepted_mass_change() const { return mass_is_used_ ? mass_factor_ - 1.0F : 0.0F; }
 
     float mass_factor_{1.0F};  // sprung mass over the calibrated one, from the received vehicle mass

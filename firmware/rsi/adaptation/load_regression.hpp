@@ -65,7 +65,7 @@ class LoadRegression {
 
     void learn(const Vector2& psi, float output_mps2, float noise_mps4);
     bool keep_in_bounds();
-    void assume(float change);
+    [[gnu::cold, gnu::noinline]] void assume(float change);
 
     Vector2 theta_{Vector2::Zero()};
     Matrix2 covariance_{Matrix2::Identity()};
