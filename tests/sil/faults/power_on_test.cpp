@@ -34,12 +34,12 @@ class AtPowerOn : public ::testing::TestWithParam<const char*> {
     }
 
     // Cycle of the first warning; that of the end without one.
-    long first_warning(const Fault& fault) const {
+    int first_warning(const Fault& fault) const {
         const sil::FaultyRun run = sil::run_with_fault(drive, fault, calibration);
         const auto found = std::find_if(run.answers.begin(), run.answers.end(), [](const auto& answer) {
             return answer->state == sil::WarningState::warning;
         });
-        return found - run.answers.begin();
+        return static_cast<int>(found - run.answers.begin());
     }
 
     static std::string file(const char* folder) {
@@ -67,8 +67,8 @@ TEST_P(AtPowerOn, ARollSensorThatIsFarOffDoesNotWarnAndGetsItsCode) {
 TEST_P(AtPowerOn, AWrongMassLeavesTheLeadOfAWarning) {
     for (const char* const name : {"j-turn-110", "fishhook-1a"}) {
         record(sil::with_lead_in(sil::find_manoeuvre(name), 2.0));
-        const long without = first_warning({});
-        ASSERT_LT(without, static_cast<long>(drive.samples.size())) << name;
+        const int without = first_warning({});
+        ASSERT_LT(without, static_cast<int>(drive.samples.size())) << name;
         for (const double gain : {0.7, 0.8, 0.9, 1.1, 1.2, 1.3, 1.6, 2.0}) {
             EXPECT_NEAR(first_warning({FaultKind::gain, FaultPlace::vehicle_mass, gain}), without, 10)
                 << gain;
