@@ -343,8 +343,9 @@ class AnEcuWithAStorage {
     rsi::application::RolloverEcu& ecu() { return ecu_; }
 
     void hear(const rsi::hal::CanFrame& frame) { bus_.endpoint(1U).send(frame); }
-    void hear_all_sensors() {
+    void hear_all_sensors(const Motion& motion = {}) {
         Bench bench;
+        bench.drive(motion);
         bench.run_cycles(1);
         for (const Sensor sensor : all_sensors) {
             hear(bench.last_frame(sensor));
@@ -430,10 +431,12 @@ TEST_P(ALoadThatIsPutOn, IsStoredAfterAMinute) {
         ASSERT_TRUE(change.prepare());
         unit.ecu().change(change);
     }
-    unit.hear_all_sensors();
+    Motion standing;
+    standing.vehicle_motion.speed_kmh = 0.0F;
+    unit.hear_all_sensors(standing);
     unit.hear_mass(2370.0F, 0U);
     unit.ecu().step(0U);
-    unit.hear_all_sensors();
+    unit.hear_all_sensors(standing);
     unit.hear_mass(2500.0F, 1U);
     for (int cycle = 2; cycle < cycles_in_a_minute; ++cycle) {
         unit.ecu().step(0U);

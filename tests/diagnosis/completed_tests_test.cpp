@@ -37,8 +37,10 @@ const Codes of_motion{DiagnosticCode::vehicle_motion_lost,
                       DiagnosticCode::steering_invalid,
                       DiagnosticCode::steering_jump,
                       DiagnosticCode::steering_stuck};
-// This vehicle has no bank sensor, and the bench no place for a section.
-const Codes never{DiagnosticCode::bank_angle_invalid, DiagnosticCode::stored_parameters_refused};
+// This vehicle has no bank sensor and sends no mass, and the bench has no place for a section.
+const Codes never{DiagnosticCode::bank_angle_invalid, DiagnosticCode::stored_parameters_refused,
+                  DiagnosticCode::vehicle_mass_invalid, DiagnosticCode::vehicle_mass_jump,
+                  DiagnosticCode::vehicle_mass_contradicts_load};
 // The road is level.
 const Codes needs_a_bank{DiagnosticCode::roll_angle_reference_wrong};
 

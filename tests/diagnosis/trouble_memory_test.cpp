@@ -25,7 +25,7 @@ constexpr std::size_t row_of(DiagnosticCode code) {
 }
 constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);
 constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);
-constexpr std::size_t last_row = row_of(DiagnosticCode::storage_failed);
+constexpr std::size_t last_row = row_of(DiagnosticCode::vehicle_mass_contradicts_load);
 constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
 constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);
 constexpr CodeSet all = (CodeSet{2U} << trouble_code_count) - 2U;
@@ -100,7 +100,7 @@ TEST_F(Troubles, AFailureSetsItsBitsAndOnlyItsOwn) {
     }
     run(1);
     EXPECT_EQ(status_of(imu), 0x2EU);
-    run(1, set_of(DiagnosticCode::storage_failed));
+    run(1, set_of(DiagnosticCode::vehicle_mass_contradicts_load));
     EXPECT_EQ(status_of(last_row), 0x2FU);
 }
 

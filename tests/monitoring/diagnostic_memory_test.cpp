@@ -82,6 +82,9 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::imu_held_back, 1, 100},
     {DiagnosticCode::stored_parameters_refused, 1, 1},
     {DiagnosticCode::storage_failed, 1, 1},
+    {DiagnosticCode::vehicle_mass_invalid, 3, 5},
+    {DiagnosticCode::vehicle_mass_jump, 3, 50},
+    {DiagnosticCode::vehicle_mass_contradicts_load, 3, 100},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -321,7 +324,8 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::storage_failed}) {
+    for (const DiagnosticCode code :
+         {DiagnosticCode::imu_lost, DiagnosticCode::vehicle_mass_contradicts_load}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

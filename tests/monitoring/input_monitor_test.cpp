@@ -26,6 +26,7 @@ class AnInputMonitor : public ::testing::Test {
         inputs.roll_angle_rad = 0.0F;
         inputs.yaw_rate_radps = 0.0F;
         inputs.bank_angle_rad = nan;
+        inputs.vehicle_mass_kg = nan;
         inputs.speed_mps = 30.0F;
         inputs.steering_wheel_angle_rad = 0.0F;
         before.state = RSI_STATE_READY;

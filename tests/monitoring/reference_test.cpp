@@ -23,6 +23,7 @@ class ASteadyTurn : public ::testing::Test {
         inputs.roll_angle_rad = 0.12F;
         inputs.vertical_specific_force_mps2 = 9.80665F - 9.0F * 0.12F;
         inputs.bank_angle_rad = 0.0F;
+        inputs.vehicle_mass_kg = rsi::not_available;
         inputs.steering_wheel_angle_rad = 1.0F;
         before.state = RSI_STATE_READY;
         before.roll_source = RSI_ROLL_SENSOR;

@@ -225,11 +225,12 @@ class ADegradation : public ::testing::Test {
     }
 
     Degradation degradation(bool internal_fault = false) const {
-        return rsi::monitoring::degradation_of(inputs, outputs, internal_fault);
+        return rsi::monitoring::degradation_of(inputs, outputs, internal_fault, confirmed);
     }
 
     rsi::Inputs inputs{};
     rsi::Outputs outputs{};
+    rsi::monitoring::CodeSet confirmed{0U};
 };
 
 TEST_F(ADegradation, IsNoneWhenAllThatMattersIsThere) {
@@ -251,6 +252,19 @@ TEST_F(ADegradation, IsThatOfTheMotionWithoutSpeedOrYawRate) {
 TEST_F(ADegradation, IsThatOfTheRollSensorWhileAnythingElseStandsInForIt) {
     outputs.roll_source = RSI_ROLL_OBSERVER;
     EXPECT_EQ(degradation(), Degradation::roll_sensor_lost);
+}
+
+TEST_F(ADegradation, IsThatOfTheMassWhileOneOfItsCodesIsConfirmed) {
+    using rsi::monitoring::DiagnosticCode;
+    confirmed = rsi::monitoring::set_of(DiagnosticCode::bank_angle_invalid);
+    EXPECT_EQ(degradation(), Degradation::full);
+    for (const DiagnosticCode code : {DiagnosticCode::vehicle_mass_invalid, DiagnosticCode::vehicle_mass_jump,
+                                      DiagnosticCode::vehicle_mass_contradicts_load}) {
+        confirmed = rsi::monitoring::set_of(code);
+        EXPECT_EQ(degradation(), Degradation::mass_lost);
+    }
+    inputs.speed_mps = nan;
+    EXPECT_EQ(degradation(), Degradation::motion_lost);
 }
 
 // The worse hides the less bad.

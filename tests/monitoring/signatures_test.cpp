@@ -141,7 +141,7 @@ TEST(TheSignatures, SetNoCodeForResidualsWithinOrNotJudged) {
         Symptom::spinning, Symptom::roll_force_valid, Symptom::roll_force_within, Symptom::lateral_suspect,
         Symptom::gain_valid, Symptom::roll_valid, Symptom::roll_angle_frozen, Symptom::roll_rate_frozen,
         Symptom::leans_into_turn, Symptom::observer_valid, Symptom::observer_within, Symptom::vertical_within,
-        Symptom::reference_valid);
+        Symptom::reference_valid, Symptom::load_valid);
     EXPECT_EQ(rsi::monitoring::setting_symptoms & innocent, 0U);
     EXPECT_EQ(rsi::monitoring::setting_symptoms | innocent, symptoms(Symptom::count) - 1U);
 }

@@ -6,10 +6,6 @@
 namespace rsi {
 namespace {
 
-// Plausible range of the sprung mass over the calibrated one: from an emptied truck to a load of twice the
-// sprung mass. A mass outside is ignored.
-constexpr float least_mass_factor = 0.6F;
-constexpr float largest_mass_factor = 3.0F;
 // Least ratio of roll stiffness to the overturning stiffness m_s g H: at 1 the body would tip over on its
 // springs.
 constexpr float least_stiffness_reserve = 1.1F;
@@ -43,11 +39,12 @@ void LoadAdaptation::update(const Constants& constants, const Inputs& inputs, co
     } else {
         regression_.pass_time();
     }
+    weigh_mass();
 }
 
 // Keeps the last mass while none is available. A change of mass is assumed at the height of the body's CG
 // until driving shows otherwise. The first mass corrects the calibration's; a clearly different later one is
-// a change of load.
+// a change of load where the vehicle stands. One that changes while it drives does not change what is learnt.
 void LoadAdaptation::follow_mass(const Constants& constants, float vehicle_mass_kg) {
     const float factor = (vehicle_mass_kg - constants.unsprung_mass_kg) / constants.calibrated.mass_kg;
     if (is_within(factor, least_mass_factor, largest_mass_factor)) {
@@ -55,35 +52,46 @@ void LoadAdaptation::follow_mass(const Constants& constants, float vehicle_mass_
         if (!mass_known_) {
             regression_.expect_change(change);
             learnt_at_mass_factor_ = factor;
-        } else if (!is_within_magnitude(change, clear_change_of_mass)) {
+        } else if (stop_.is_standing() && !is_within_magnitude(change, clear_change_of_mass)) {
             regression_.add_load(change);
             learnt_at_mass_factor_ = factor;
         } else {
-            // Same load: the learnt excess stays.
+            // Same load, or a vehicle that drives: the learnt excess stays.
         }
         mass_factor_ = factor;
         mass_known_ = true;
     }
 }
 
+// A mass that driving does not confirm, or refutes, leaves the body as it is without one.
+void LoadAdaptation::weigh_mass() {
+    const float by_mass = mass_factor_ - 1.0F;
+    const float shown = regression_.excess() - regression_.assumed_excess();
+    const bool refuted = contradicts_load(by_mass, shown, regression_.excess_deviation());
+    used_mass_change_ = refuted ? 0.0F : admitted_mass_change(by_mass, shown);
+    used_excess_ = is_within_magnitude(by_mass - used_mass_change_, 0.0F) ? regression_.excess() : shown;
+    mass_is_used_ = mass_known_ && !refuted;
+}
+
 // Starts from the excess that the received mass suggests.
 void LoadAdaptation::reset_learnt() {
     regression_.reset();
     regression_.expect_change(mass_factor_ - 1.0F);
+    weigh_mass();
 }
 
 // The load may have changed.
 void LoadAdaptation::doubt() {
-    regression_.doubt(mass_factor_ - 1.0F);
+    regression_.doubt(accepted_mass_change());
 }
 
 SprungBody LoadAdaptation::body(const Constants& constants) const {
-    const float by_mass = mass_factor_ - 1.0F;
-    const float excess = mass_known_ ? excess_beside_mass(regression_.excess(), by_mass)
-                                     : excess_beyond_errors(regression_.excess());
+    const float excess = mass_is_used_ ? excess_beside_mass(used_excess_, used_mass_change_)
+                                       : excess_beyond_errors(used_excess_);
     const float moment_factor =
         smaller(1.0F + constants.used_share * excess, constants.largest_moment_factor);
-    const float mass_factor = mass_known_ ? known_mass_factor(constants) : assumed_mass_factor(moment_factor);
+    const float mass_factor =
+        mass_is_used_ ? 1.0F + constants.used_share * used_mass_change_ : assumed_mass_factor(moment_factor);
     return with_load(constants.calibrated, moment_factor, mass_factor);
 }
 
@@ -96,6 +104,7 @@ bool LoadAdaptation::restore(const LearntLoad& learnt, bool doubted) {
     if (restored && doubted) {
         doubt();
     }
+    weigh_mass();
     return restored;
 }
 

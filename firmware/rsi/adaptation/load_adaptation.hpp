@@ -43,8 +43,9 @@ class LongStop {
 
 // A calibration describes one load. The roll response shows by how much another load changes the product m_s
 // H (sprung mass times roll arm, LoadRegression). Its split into mass and height needs the vehicle's mass, if
-// another control unit sends it (load_split.hpp). The estimate is kept over gaps in the inputs; its variance
-// is raised after a long stop and after power-on, because the load may have changed.
+// another control unit sends it (load_split.hpp), and driving has to confirm that mass. The estimate is kept
+// over gaps in the inputs; its variance is raised after a long stop and after power-on, because the load may
+// have changed.
 class LoadAdaptation {
  public:
     struct Constants {
@@ -72,9 +73,9 @@ class LoadAdaptation {
     SprungBody body(const Constants& constants) const;
 
     // Sprung mass over the calibrated one, from the received vehicle mass, weighted by used_share; 1 if none
-    // was received.
+    // was received, or if driving refutes it.
     float known_mass_factor(const Constants& constants) const {
-        return 1.0F + constants.used_share * (mass_factor_ - 1.0F);
+        return 1.0F + constants.used_share * accepted_mass_change();
     }
 
     // By how much the roll angle may be larger than the calibrated body's before it is taken for wrong: with
@@ -96,10 +97,16 @@ class LoadAdaptation {
  private:
     void follow_mass(const Constants& constants, float vehicle_mass_kg);
     void doubt();
+    [[gnu::noinline]] void weigh_mass();
+    float accepted_mass_change() const { return mass_is_used_ ? mass_factor_ - 1.0F : 0.0F; }
 
     float mass_factor_{1.0F};  // sprung mass over the calibrated one, from the received vehicle mass
     bool mass_known_{false};
     float learnt_at_mass_factor_{1.0F};  // mass_factor_ to which the learnt load belongs
+    // The used part of both for body(), as of the last sample.
+    float used_mass_change_{0.0F};
+    float used_excess_{0.0F};
+    bool mass_is_used_{false};
     LongStop stop_{};
     LoadRegression regression_;
 };

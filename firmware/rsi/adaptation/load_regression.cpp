@@ -55,6 +55,7 @@ LoadRegression::Constants::Constants(const Parameters& parameters)
 
 void LoadRegression::reset() {
     theta_.setZero();
+    assumed_ = 0.0F;
     covariance_ << square(excess_prior), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
 
@@ -95,8 +96,11 @@ void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mp
     // The divisor is positive, because the noise is.
     const float gain = weight / (spread + samples_alike * noise_mps4);
     theta_ += g * (gain * innovation);
+    // As much of what was assumed is left as of the variance.
+    const float variance = covariance_(excess_at, excess_at);
     // The update is symmetric to the last bit, so P stays symmetric.
     covariance_ -= (g * g.transpose()) * gain;
+    assumed_ *= covariance_(excess_at, excess_at) / variance;
 }
 
 // A value that is not finite in any signal shows in theta or P. Raising a variance keeps P positive definite.
@@ -117,20 +121,26 @@ bool LoadRegression::keep_in_bounds() {
 void LoadRegression::doubt(float expected) {
     theta_(excess_at) =
         clamp(expected + kept_share * (theta_(excess_at) - expected), least_load_excess, largest_load_excess);
+    assumed_ = expected + kept_share * (assumed_ - expected);
     const float variance = covariance_(excess_at, excess_at) + square(doubted_deviation);
     covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
 
 void LoadRegression::expect_change(float change) {
     const float unknown_share = covariance_(excess_at, excess_at) * (1.0F / square(excess_prior));
-    theta_(excess_at) =
-        clamp(theta_(excess_at) + unknown_share * change, least_load_excess, largest_load_excess);
+    assume(unknown_share * change);
 }
 
 void LoadRegression::add_load(float change) {
-    theta_(excess_at) = clamp(theta_(excess_at) + change, least_load_excess, largest_load_excess);
+    assume(change);
     const float variance = covariance_(excess_at, excess_at) + square(0.5F * change);
     covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
+}
+
+void LoadRegression::assume(float change) {
+    const float before = theta_(excess_at);
+    theta_(excess_at) = clamp(before + change, least_load_excess, largest_load_excess);
+    assumed_ += theta_(excess_at) - before;
 }
 
 float LoadRegression::excess_deviation() const {
@@ -148,6 +158,7 @@ bool LoadRegression::restore(const LearntLoad& learnt) {
         return false;
     }
     theta_ << learnt.excess, learnt.offset_mps2;
+    assumed_ = 0.0F;
     covariance_ << square(learnt.excess_deviation), 0.0F, 0.0F, square(load_offset_prior_mps2);
     return true;
 }

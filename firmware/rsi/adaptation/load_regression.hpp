@@ -52,6 +52,9 @@ class LoadRegression {
     float excess() const { return theta_(excess_at); }
     float excess_deviation() const;
 
+    // Part of x that received masses suggest and driving has not replaced yet.
+    float assumed_excess() const { return assumed_; }
+
     LearntLoad learnt() const;  // x, its deviation and d
     // False, with nothing restored, for values out of range.
     [[gnu::cold, gnu::noinline]] bool restore(const LearntLoad& learnt);
@@ -62,9 +65,11 @@ class LoadRegression {
 
     void learn(const Vector2& psi, float output_mps2, float noise_mps4);
     bool keep_in_bounds();
+    [[gnu::cold, gnu::noinline]] void assume(float change);
 
     Vector2 theta_{Vector2::Zero()};
     Matrix2 covariance_{Matrix2::Identity()};
+    float assumed_{0.0F};
 };
 
 }  // namespace rsi

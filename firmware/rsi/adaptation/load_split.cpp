@@ -1,5 +1,6 @@
 #include "rsi/adaptation/load_split.hpp"
 
+#include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square_root.hpp"
 
@@ -19,6 +20,12 @@ constexpr float least_cg_height_m = 0.2F;
 // Excess that a wrong calibration makes: 10 % of the stiffness, or 5 % of the height.
 constexpr float usual_error = 0.1F;
 constexpr float clear_excess = 2.0F * usual_error;
+// Change of mass that needs no load to be shown: what axle loads and the calibration are wrong by.
+constexpr float unshown_mass = 0.04F;
+// Mass over moment of the lowest load that is still taken for one: on the floor of a truck.
+constexpr float mass_of_low_load = 2.0F;
+// Beyond what is admitted: a stiffness that is wrong by 10 % and a load at the roll centre's height together.
+constexpr float impossible_mass = 0.25F;
 
 }  // namespace
 
@@ -31,6 +38,16 @@ float excess_beyond_errors(float excess) {
 
 float excess_beside_mass(float excess, float by_mass) {
     return by_mass + larger(excess_beyond_errors(excess - by_mass), -absolute(by_mass));
+}
+
+float admitted_mass_change(float by_mass, float shown) {
+    const float load = mass_of_low_load * excess_beyond_errors(shown);
+    return clamp(by_mass, smaller(load, 0.0F) - unshown_mass, larger(load, 0.0F) + unshown_mass);
+}
+
+bool contradicts_load(float by_mass, float shown, float deviation) {
+    return (deviation < sure_load_deviation) &&
+           !is_within_magnitude(by_mass - admitted_mass_change(by_mass, shown), impossible_mass);
 }
 
 // Precondition: both factors are above 0.3, so the divisions are safe.

@@ -15,6 +15,15 @@ float excess_beyond_errors(float excess);
 // the mass has changed may be missing, no more.
 float excess_beside_mass(float excess, float by_mass);
 
+// Change of the sprung mass, as a share, that is used of one that is received: as far as driving shows a load
+// that can be it. `shown`: the excess that driving has shown. A load that is shown admits twice as much, as
+// low as it may lie; a body that rolls as calibrated admits no more than the calibration's errors.
+float admitted_mass_change(float by_mass, float shown);
+
+// Driving has shown the load, `deviation` being small, and it cannot be that of the received mass: a trailer
+// is in it, or it is wrong. None of it is used then.
+bool contradicts_load(float by_mass, float shown, float deviation);
+
 // `moment_factor`: m_s H over the calibrated one; `mass_factor`: m_s over the calibrated one. H follows from
 // both, within plausible bounds, to which a contradicting mass is adjusted: a heavier body is hardly lower,
 // so a mass that says so has a trailer in it, or is wrong. The inertia grows with m_s H.

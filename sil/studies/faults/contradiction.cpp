@@ -35,8 +35,8 @@ void read_limits(TomlTable table, Contradiction& contradiction) {
 
 Contradiction read(TomlTable table) {
     Contradiction contradiction;
-    contradiction.kind = named(table, "kind", FaultKind::process_stop);
-    contradiction.place = named(table, "place", FaultPlace::processor);
+    contradiction.kind = named(table, "kind", FaultKind::turned_about_z);
+    contradiction.place = named(table, "place", FaultPlace::all_signals);
     contradiction.why = table.text("why");
     if (table.has("error")) {
         contradiction.sign = table.choice("error", {"negative", "positive"}) == 0U ? -1 : 1;

@@ -56,7 +56,7 @@ std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& ve
         return record_drive(vehicle, manoeuvre, {}, sensors);
     };
     States states(sensors.size());
-    add(states, record_rest(10.0, sensors),
+    add(states, record_rest(vehicle, 10.0, sensors),
         state("rest", "the vehicle stands for 10 s; the fault begins after 4 s, and stays", settled_s));
     add(states, record(slow_turns(12.0)),
         state("slow", "slow turns to either side at 12 km/h, for 12 s; the fault begins after 4 s, and stays",

@@ -45,6 +45,8 @@ Demand demand_of_loss(FaultPlace place) {
         case FaultPlace::roll_rate:
         case FaultPlace::imu_frame:
         case FaultPlace::all_sensor_frames:
+        case FaultPlace::inertial_signals:
+        case FaultPlace::all_signals:
             return Demand::unavailable;
         case FaultPlace::roll_angle:
         case FaultPlace::roll_angle_frame:
@@ -52,6 +54,7 @@ Demand demand_of_loss(FaultPlace place) {
         case FaultPlace::speed:
         case FaultPlace::yaw_rate:
         case FaultPlace::vehicle_motion_frame:
+        case FaultPlace::motion_signals:
             return Demand::motion_lost;
         default:
             return Demand::usable;
@@ -109,7 +112,16 @@ Expectation delay(FaultPlace place) {
     return expected;
 }
 
+// No place of a scene moves these so that a time could be stated.
+bool has_no_stated_time(FaultPlace place) {
+    return place == FaultPlace::vehicle_mass || place >= FaultPlace::inertial_signals;
+}
+
 Expectation expectation_while_there(const Fault& fault, SceneKind scene) {
+    if (has_no_stated_time(fault.place) &&
+        (fault.kind <= FaultKind::sign_flip && fault.kind > FaultKind::none)) {
+        return right_or_reported(fault.kind, scene);
+    }
     switch (fault.kind) {
         case FaultKind::none:
             return {};
@@ -125,7 +137,8 @@ Expectation expectation_while_there(const Fault& fault, SceneKind scene) {
         case FaultKind::saturated:
             return at_once(demand_of_loss(fault.place), 0, of_saturation);
         case FaultKind::not_available:
-            if (fault.place == FaultPlace::bank_angle) {  // as in most vehicles, which have no such sensor
+            if (fault.place == FaultPlace::bank_angle ||
+                fault.place == FaultPlace::vehicle_mass) {  // as in most vehicles, which have no such sensor
                 return nothing;
             }
             return at_once(demand_of_loss(fault.place), 0, of_values);
@@ -158,6 +171,9 @@ Expectation expectation_while_there(const Fault& fault, SceneKind scene) {
         case FaultKind::bus_off:
         case FaultKind::clock_jump:
             return at_once(Demand::unavailable, any_time_ms);
+        case FaultKind::turned_about_x:
+        case FaultKind::turned_about_z:
+            return right_or_reported(fault.kind, scene);
         case FaultKind::process_stop:
             return at_once(fault.magnitude > 30.0 ? Demand::unavailable : Demand::usable, any_time_ms);
     }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "sil/studies/faults/sensor_signal.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
@@ -43,6 +44,15 @@ constexpr std::array other_faults{Fault{FaultKind::lost, FaultPlace::all_sensor_
                                   Fault{FaultKind::process_stop, FaultPlace::processor, 2000.0}};
 
 constexpr std::array gains{0.0, 0.2, 0.5, 0.8, 1.25, 2.0, 3.0};
+
+constexpr std::array mass_gains{0.7, 0.8, 1.2, 1.3, 1.6, 2.0};
+
+// A supply that fails: off, too low or too high for sensors whose output follows it.
+constexpr std::array supply_gains{0.0, 0.8, 0.9, 1.1, 1.25};
+
+// Tolerances of good sensors: share of the matrix' offset, and gains.
+constexpr double offset_tolerance = 0.25;
+constexpr std::array gain_tolerances{0.95, 1.05};
 
 // Factor on the matrix' offset: the largest is about the end of the sensor's range.
 constexpr std::array offset_shares{2.0, 4.0, 8.0};
@@ -111,7 +121,59 @@ std::vector<Fault> make_further() {
     return all;
 }
 
+std::vector<Fault> make_mass_faults() {
+    std::vector<Fault> all;
+    const FaultPlace mass = mass_signal.place;
+    for (const FaultKind kind : {FaultKind::frozen, FaultKind::offset, FaultKind::drift, FaultKind::noise,
+                                 FaultKind::saturated, FaultKind::not_available, FaultKind::out_of_range}) {
+        all.push_back({kind, mass, magnitude_of(kind, mass_signal)});
+    }
+    for (const double gain : mass_gains) {
+        all.push_back({FaultKind::gain, mass, gain});
+    }
+    return all;
+}
+
+std::vector<Fault> make_coupled() {
+    std::vector<Fault> all;
+    for (const FaultPlace place :
+         {FaultPlace::inertial_signals, FaultPlace::motion_signals, FaultPlace::all_signals}) {
+        all.push_back({FaultKind::not_available, place, 0.0});
+        all.push_back({FaultKind::frozen, place, 0.0});
+        for (const double gain : supply_gains) {
+            all.push_back({FaultKind::gain, place, gain});
+        }
+    }
+    return all;
+}
+
+std::vector<Fault> make_tolerances() {
+    std::vector<Fault> all;
+    for (const SensorSignal& signal : sensor_signals) {
+        all.push_back({FaultKind::offset, signal.place, offset_tolerance * signal.offset * signal.unit_si});
+        for (const double gain : gain_tolerances) {
+            all.push_back({FaultKind::gain, signal.place, gain});
+        }
+    }
+    return all;
+}
+
 }  // namespace
+
+const std::vector<Fault>& mass_faults() {
+    static const std::vector<Fault> all = make_mass_faults();
+    return all;
+}
+
+const std::vector<Fault>& coupled_faults() {
+    static const std::vector<Fault> all = make_coupled();
+    return all;
+}
+
+const std::vector<Fault>& tolerances() {
+    static const std::vector<Fault> all = make_tolerances();
+    return all;
+}
 
 const std::vector<Fault>& all_faults() {
     static const std::vector<Fault> all = make_all();
@@ -125,9 +187,11 @@ const std::vector<Fault>& further_faults() {
 
 std::vector<Fault> in_each_sign(const Fault& fault) {
     // A saturated speed has one end: the lower one is a vehicle at rest.
-    const bool has_sign = fault.kind == FaultKind::offset || fault.kind == FaultKind::drift ||
-                          is_second_sender(fault.kind) ||
-                          (fault.kind == FaultKind::saturated && fault.place != FaultPlace::speed);
+    const bool has_sign = fault.kind == FaultKind::turned_about_x ||
+                          fault.kind == FaultKind::turned_about_z || fault.kind == FaultKind::offset ||
+                          fault.kind == FaultKind::drift || is_second_sender(fault.kind) ||
+                          (fault.kind == FaultKind::saturated && fault.place != FaultPlace::speed &&
+                           fault.place != FaultPlace::vehicle_mass);
     if (!has_sign) {
         return {fault};
     }
@@ -162,7 +226,9 @@ const char* to_string(FaultKind kind) {
                                "bus-off",
                                "error-passive",
                                "clock jump",
-                               "process stopped"};
+                               "process stopped",
+                               "turned about x",
+                               "turned about z"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -175,13 +241,17 @@ const char* to_string(FaultPlace place) {
                                "speed",
                                "yaw rate",
                                "steering wheel angle",
+                               "vehicle mass",
                                "Imu",
                                "RollAngle",
                                "VehicleMotion",
                                "all sensor frames",
                                "RolloverWarning",
                                "bus",
-                               "processor"};
+                               "processor",
+                               "inertial signals",
+                               "motion signals",
+                               "all signals"};
     return names[static_cast<std::size_t>(place)];
 }
 
@@ -205,6 +275,9 @@ std::string describe(const Fault& fault) {
                                signal->unit);
         case FaultKind::saturated:
             return name + (fault.magnitude < 0.0 ? ", lower end" : ", upper end");
+        case FaultKind::turned_about_x:
+        case FaultKind::turned_about_z:
+            return fmt::format("{}, {:+.3g} deg", name, fault.magnitude * degrees_per_radian);
         case FaultKind::delayed:
         case FaultKind::clock_jump:
         case FaultKind::process_stop:

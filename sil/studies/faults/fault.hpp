@@ -41,6 +41,10 @@ enum class FaultKind : std::uint8_t {
     error_passive,   // the same
     clock_jump,      // of the ECU's clock, once, by `magnitude` milliseconds
     process_stop,    // the ECU computes nothing for `magnitude` milliseconds, then goes on
+    // A housing that is turned about its x axis, or its z axis, by `magnitude`: sets of sensors
+    // (turned_housings.hpp)
+    turned_about_x,
+    turned_about_z,
 };
 
 enum class FaultPlace : std::uint8_t {
@@ -52,6 +56,7 @@ enum class FaultPlace : std::uint8_t {
     speed,
     yaw_rate,
     steering_wheel_angle,
+    vehicle_mass,
     imu_frame,
     roll_angle_frame,
     vehicle_motion_frame,
@@ -59,6 +64,10 @@ enum class FaultPlace : std::uint8_t {
     warning_frame,  // of the ECU itself
     bus,
     processor,
+    // Signals that share a housing, a supply, a connector.
+    inertial_signals,
+    motion_signals,
+    all_signals,
 };
 
 struct Fault {
@@ -89,6 +98,16 @@ std::vector<Fault> in_each_sign(const Fault& fault);
 
 // Every fault of the matrix, in its order; of those with a sign only the positive ones.
 const std::vector<Fault>& all_faults();
+
+// Those of the vehicle's mass, which few vehicles have on the bus: in every matrix.
+const std::vector<Fault>& mass_faults();
+
+// For the matrix of states: of signals that fail together. Gains stand for a supply, missing values for a
+// connector.
+const std::vector<Fault>& coupled_faults();
+
+// Tolerances of good sensors, for the matrix of states: small offsets and gains, one signal at a time.
+const std::vector<Fault>& tolerances();
 
 // The further ones that the matrix of states has: gains, dead sensors, large offsets, second senders.
 const std::vector<Fault>& further_faults();

@@ -103,8 +103,10 @@ void count(const Injection& injection, InjectionCount& counted) {
 FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
     FaultMatrix matrix;
     matrix.scenes = all_scenes(vehicle, calibration);
-    for (const Fault& fault : all_faults()) {
-        matrix.rows.push_back({fault, {}});
+    for (const std::vector<Fault>& faults : {all_faults(), mass_faults()}) {
+        for (const Fault& fault : faults) {
+            matrix.rows.push_back({fault, {}});
+        }
     }
     for (std::size_t scene = 0U; scene < matrix.scenes.size(); ++scene) {
         inject_all(matrix, scene, calibration);

@@ -88,7 +88,14 @@ constexpr std::array<SensorFrame, 3> protected_frames{
      {FaultPlace::vehicle_motion_frame, rsi::can_dbc::VehicleMotion::identifier,
       rsi::can_dbc::VehicleMotion::e2e_data_id}}};
 
+// Faults of it are those of its signal alone.
+constexpr SensorFrame mass_frame{FaultPlace::vehicle_mass, rsi::can_dbc::VehicleMass::identifier,
+                                 rsi::can_dbc::VehicleMass::e2e_data_id};
+
 const SensorFrame* find_frame(std::uint32_t identifier) {
+    if (identifier == mass_frame.identifier) {
+        return &mass_frame;
+    }
     for (const SensorFrame& frame : protected_frames) {
         if (frame.identifier == identifier) {
             return &frame;

@@ -11,12 +11,16 @@ SensorSample as_equipped(SensorSample sample, const Fault& fault) {
     if (fault.place != FaultPlace::bank_angle) {
         sample.bank_angle_rad = SensorSample::not_available;
     }
+    if (fault.place != FaultPlace::vehicle_mass) {
+        sample.vehicle_mass_kg = SensorSample::not_available;
+    }
     return sample;
 }
 
 RightRuns::RightRuns(const FaultedDrive& drive, const rsi::Parameters& calibration)
     : without_bank_{run_with_fault(drive, Fault{}, calibration)},
-      with_bank_{run_with_fault(drive, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration)} {}
+      with_bank_{run_with_fault(drive, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration)},
+      with_mass_{run_with_fault(drive, Fault{FaultKind::none, FaultPlace::vehicle_mass, 0.0}, calibration)} {}
 
 FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rsi::Parameters& calibration) {
     FaultyEcu ecu{calibration};

@@ -19,8 +19,8 @@ std::vector<KnownFinding> read_known() {
         KnownFinding known;
         known.found.kind = named(table, "what", FindingKind::good_sensor_with_code);
         if (table.has("fault")) {
-            known.found.fault = named(table, "fault", FaultKind::process_stop);
-            known.found.place = named(table, "of", FaultPlace::processor);
+            known.found.fault = named(table, "fault", FaultKind::turned_about_z);
+            known.found.place = named(table, "of", FaultPlace::all_signals);
         }
         known.cells = table.texts("cells");
         known.why = table.text("why");

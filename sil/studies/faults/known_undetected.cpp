@@ -28,6 +28,28 @@ const std::vector<KnownUndetected>& known_undetected_errors() {
     return all;
 }
 
+const std::vector<KnownUndetected>& undetected_in_states() {
+    static const std::vector<KnownUndetected> all{
+        {FaultKind::offset, FaultPlace::vehicle_mass, 0,
+         "from the start, or at a stop, it may be a load: used as far as driving shows that"},
+        {FaultKind::drift, FaultPlace::vehicle_mass, 0, "at a stop it may be a load"},
+        {FaultKind::noise, FaultPlace::vehicle_mass, 0, "at a stop it may be a load"},
+        {FaultKind::not_available, FaultPlace::vehicle_mass, 0, "most vehicles do not know their mass"},
+        {FaultKind::gain, FaultPlace::vehicle_mass, 0,
+         "from the start it may be a load: used as far as driving shows that, and refuted after minutes"},
+        {FaultKind::gain, FaultPlace::inertial_signals, 0,
+         "a tenth is within what load, calibration and bank can do, and all three agree"},
+        {FaultKind::gain, FaultPlace::motion_signals, 0,
+         "slides and banks have as much between yaw rate times speed and the lateral acceleration"},
+        {FaultKind::gain, FaultPlace::all_signals, 0,
+         "all agree, but for gravity in the vertical acceleration"},
+        {FaultKind::turned_about_x, FaultPlace::inertial_signals, 0,
+         "6 deg are 1 m/s^2 of gravity, a road's bank to every other sensor; no check knows the mean of "
+         "minutes"},
+    };
+    return all;
+}
+
 bool is_known_undetected(const Fault& fault) {
     const std::vector<KnownUndetected>& all = known_undetected_errors();
     return std::any_of(all.begin(), all.end(), [&fault](const KnownUndetected& each) {

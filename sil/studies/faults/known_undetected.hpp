@@ -17,6 +17,9 @@ struct KnownUndetected {
 // The limit of the component: each makes some due warning late or silent, without a diagnostic code in time.
 const std::vector<KnownUndetected>& known_undetected_errors();
 
+// The same of the failures that only the matrix of states injects, or of which no time is stated.
+const std::vector<KnownUndetected>& undetected_in_states();
+
 // `fault` of a left turn.
 bool is_known_undetected(const Fault& fault);
 

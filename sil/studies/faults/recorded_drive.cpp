@@ -96,6 +96,7 @@ SensorOptions recording_sensors(const VehicleParameters& vehicle) {
     flaws.noise = true;
     flaws.seed = recording_noise_seed;
     flaws.bank_sensor = true;
+    flaws.mass_sensor = true;
     return mounted_sensors(vehicle, flaws);
 }
 
@@ -124,8 +125,10 @@ std::vector<RecordedDrive> record_drive(const VehicleParameters& vehicle, const 
     }
 }
 
-std::vector<RecordedDrive> record_rest(double duration_s, const std::vector<SensorOptions>& sensors) {
+std::vector<RecordedDrive> record_rest(const VehicleParameters& vehicle, double duration_s,
+                                       const std::vector<SensorOptions>& sensors) {
     Truth truth;
+    truth.mass_kg = total_mass_kg(vehicle);
     truth.specific_force_mps2 = {0.0, 0.0, g_mps2};
     Recorder recorder{sensors};
     for (std::size_t cycle = 0U; cycle <= cycle_count(duration_s); ++cycle) {

@@ -44,7 +44,7 @@ struct FaultedDrive : RecordedDrive {
 // The number of cycles in that time.
 std::size_t cycle_count(double seconds);
 
-// Noisy sensors of ordinary quality, and one of the bank.
+// Noisy sensors of ordinary quality, one of the bank and one of the mass.
 SensorOptions recording_sensors(const VehicleParameters& vehicle);
 
 // One recording for each set of sensors, all of the same drive. Ends when the manoeuvre does or the vehicle
@@ -53,7 +53,8 @@ std::vector<RecordedDrive> record_drive(const VehicleParameters& vehicle, const 
                                         const RunOptions& options, const std::vector<SensorOptions>& sensors);
 
 // The tyre model needs a rolling wheel, so a vehicle at rest is written down instead of driven.
-std::vector<RecordedDrive> record_rest(double duration_s, const std::vector<SensorOptions>& sensors);
+std::vector<RecordedDrive> record_rest(const VehicleParameters& vehicle, double duration_s,
+                                       const std::vector<SensorOptions>& sensors);
 
 // Without its cycles before `begin` and from `end` on.
 RecordedDrive part_of(const RecordedDrive& drive, std::size_t begin, std::size_t end);

@@ -40,7 +40,7 @@ std::vector<Scene> record_scenes(const VehicleParameters& vehicle) {
     Manoeuvre turn = find_manoeuvre("rough-turn");
     return {
         scene(SceneKind::rest, "rest", "the vehicle stands; fault from 4 s to 8 s",
-              record_rest(15.0, {recording_sensors(vehicle)}).front(), 4.0, 8.0),
+              record_rest(vehicle, 15.0, {recording_sensors(vehicle)}).front(), 4.0, 8.0),
         scene(SceneKind::straight, "straight", "straight ahead at 100 km/h; fault from 4 s to 8 s",
               record(vehicle, straight), 4.0, 8.0),
         scene(SceneKind::turn, "turn",

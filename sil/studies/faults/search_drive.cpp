@@ -43,7 +43,7 @@ std::pair<std::string, RecordedDrive> record(const DrawnRun& drawn, RandomStream
     sensors.roll.reports_bank = true;
     const double state = chance.between(0.0, 1.0);
     if (state < share_at_rest) {
-        return {"rest", record_rest(rest_s, {sensors}).front()};
+        return {"rest", record_rest(drawn.vehicle, rest_s, {sensors}).front()};
     }
     if (state < share_at_rest + share_at_a_crawl) {
         RunOptions options;

@@ -38,8 +38,8 @@ Value value_named(std::string_view name, Value last) {
 SearchOutcome outcome_of(const std::vector<CsvField>& cells) {
     const auto is = [&cells](std::size_t column) { return cells[column].text == "1"; };
     SearchOutcome outcome{static_cast<std::uint64_t>(finite_number(cells[0].text).value_or(0.0)),
-                          value_named(cells[1].text, FaultKind::process_stop),
-                          value_named(cells[2].text, FaultPlace::processor),
+                          value_named(cells[1].text, FaultKind::turned_about_z),
+                          value_named(cells[2].text, FaultPlace::all_signals),
                           is(3U),
                           is(4U),
                           is(5U),

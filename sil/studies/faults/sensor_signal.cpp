@@ -35,10 +35,53 @@ const std::array<SensorSignal, sensor_signal_count> sensor_signals{{
      0.1},
 }};
 
+// The offset is that of a trailer.
+const SensorSignal mass_signal{FaultPlace::vehicle_mass,
+                               &SensorSample::vehicle_mass_kg,
+                               rsi::can_dbc::VehicleMass::identifier,
+                               2U,
+                               true,
+                               beyond_unsigned,
+                               "kg",
+                               1.0,
+                               100.0,
+                               1000.0,
+                               50.0,
+                               500.0,
+                               20.0};
+
 const SensorSignal* find_signal(FaultPlace place) {
+    if (place == mass_signal.place) {
+        return &mass_signal;
+    }
     const auto* const found = std::find_if(sensor_signals.begin(), sensor_signals.end(),
                                            [place](const SensorSignal& each) { return each.place == place; });
     return found == sensor_signals.end() ? nullptr : &*found;
+}
+
+std::vector<const SensorSignal*> signals_at(FaultPlace place) {
+    std::vector<const SensorSignal*> found;
+    const auto add = [&found](std::uint32_t identifier) {
+        for (const SensorSignal& each : sensor_signals) {
+            if (each.identifier == identifier && each.place != FaultPlace::bank_angle) {
+                found.push_back(&each);
+            }
+        }
+    };
+    const bool all = place == FaultPlace::all_signals;
+    if (all || place == FaultPlace::inertial_signals) {
+        add(rsi::can_dbc::Imu::identifier);
+    }
+    if (all || place == FaultPlace::motion_signals) {
+        add(rsi::can_dbc::VehicleMotion::identifier);
+    }
+    if (all) {
+        add(rsi::can_dbc::RollAngle::identifier);
+    }
+    if (const SensorSignal* const signal = find_signal(place)) {
+        found.push_back(signal);
+    }
+    return found;
 }
 
 }  // namespace sil

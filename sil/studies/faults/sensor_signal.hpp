@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "sil/studies/faults/fault.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
@@ -29,7 +30,13 @@ struct SensorSignal {
 inline constexpr std::size_t sensor_signal_count = 8U;
 extern const std::array<SensorSignal, sensor_signal_count> sensor_signals;
 
-// Null for a place that is no signal.
+// Optional on the bus, and therefore in lists of its own.
+extern const SensorSignal mass_signal;
+
+// Null for a place that is not one signal.
 const SensorSignal* find_signal(FaultPlace place);
+
+// Those that fail together at that place; of one signal that one, of none none.
+std::vector<const SensorSignal*> signals_at(FaultPlace place);
 
 }  // namespace sil

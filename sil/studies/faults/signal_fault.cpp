@@ -12,40 +12,50 @@ constexpr double beyond_every_range = 1.0e6;
 }  // namespace
 
 SignalFault::SignalFault(const Fault& fault, std::uint64_t seed)
-    : fault_{fault},
-      signal_{is_signal_fault(fault.kind) ? find_signal(fault.place) : nullptr},
-      noise_{seed, static_cast<std::uint64_t>(fault.place)} {}
+    : fault_{fault}, noise_{seed, static_cast<std::uint64_t>(fault.place)} {
+    if (is_signal_fault(fault.kind)) {
+        for (const SensorSignal* const signal : signals_at(fault.place)) {
+            failing_.push_back({signal});
+        }
+    }
+}
 
 SensorSample SignalFault::apply(const SensorSample& sample, bool active) {
     visible_ = false;
-    if (signal_ == nullptr || !active) {
-        frozen_.reset();
-        drifted_ = 0.0;
-        return sample;
-    }
     SensorSample changed = sample;
-    double& value = changed.*(signal_->value);
-    const double right = value;
-    value = faulty(right);
-    if (fault_.place == FaultPlace::speed && value < 0.0) {
-        value = 0.0;  // a wheel's sensor counts pulses: without a sign
+    for (Failing& failing : failing_) {
+        if (active) {
+            change(failing, changed);
+        } else {
+            failing = {failing.signal};
+        }
     }
-    const double error = std::abs(value - right);
-    visible_ = fault_.kind == FaultKind::out_of_range ||
-               !(error < signal_->smallest_error * signal_->unit_si);  // also true of "not available"
     return changed;
 }
 
-double SignalFault::faulty(double value) {
+void SignalFault::change(Failing& failing, SensorSample& sample) {
+    const SensorSignal& signal = *failing.signal;
+    double& value = sample.*(signal.value);
+    const double right = value;
+    value = faulty(failing, right);
+    if (signal.place == FaultPlace::speed && value < 0.0) {
+        value = 0.0;  // a wheel's sensor counts pulses: without a sign
+    }
+    const double error = std::abs(value - right);
+    visible_ = visible_ || fault_.kind == FaultKind::out_of_range ||
+               !(error < signal.smallest_error * signal.unit_si);  // also true of "not available"
+}
+
+double SignalFault::faulty(Failing& failing, double value) {
     switch (fault_.kind) {
         case FaultKind::frozen:
-            frozen_ = frozen_.value_or(value);
-            return *frozen_;
+            failing.frozen = failing.frozen.value_or(value);
+            return *failing.frozen;
         case FaultKind::offset:
             return value + fault_.magnitude;
         case FaultKind::drift:
-            drifted_ += fault_.magnitude * cycle_time_s;
-            return value + drifted_;
+            failing.drifted += fault_.magnitude * cycle_time_s;
+            return value + failing.drifted;
         case FaultKind::noise:
             return value + fault_.magnitude * noise_.next();
         case FaultKind::gain:

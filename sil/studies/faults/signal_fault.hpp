@@ -1,7 +1,10 @@
-// Signal fault: a sensor whose value is wrong; its frame is protected as ever.
+// Signal fault: a sensor whose value is wrong, or several that fail together; their frames are protected as
+// ever.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "sil/studies/faults/fault.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
@@ -22,13 +25,18 @@ class SignalFault {
     bool is_visible() const { return visible_; }
 
  private:
-    double faulty(double value);
+    struct Failing {
+        const SensorSignal* signal;
+        std::optional<double> frozen{};
+        double drifted{0.0};
+    };
+
+    void change(Failing& failing, SensorSample& sample);
+    double faulty(Failing& failing, double value);
 
     Fault fault_;
-    const SensorSignal* signal_;
+    std::vector<Failing> failing_{};
     NoiseSource noise_;
-    std::optional<double> frozen_{};
-    double drifted_{0.0};
     bool visible_{false};
 };
 

@@ -1,13 +1,15 @@
 #include "sil/studies/faults/state_matrix.hpp"
 
 #include "sil/studies/faults/good_sensors.hpp"
+#include "sil/studies/faults/turned_housings.hpp"
 
 namespace sil {
 namespace {
 
 std::vector<StateRow> rows_of_all_faults() {
     std::vector<StateRow> rows;
-    for (const std::vector<Fault>& faults : {all_faults(), further_faults()}) {
+    for (const std::vector<Fault>& faults :
+         {all_faults(), further_faults(), mass_faults(), coupled_faults(), tolerances()}) {
         for (const Fault& fault : faults) {
             rows.push_back({fault, {}, {}});
         }
@@ -31,6 +33,31 @@ void inject_rows(StateMatrix& matrix, const DrivingState& state, const rsi::Para
     for (StateRow& row : matrix.rows) {
         const bool wanted = state.with_frame_faults || is_signal_fault(row.fault.kind);
         row.cells.push_back(wanted ? inject(state, row.fault, right, calibration) : StateCell{});
+    }
+}
+
+// In every state from the ECU's start on.
+void turn_housings(StateMatrix& matrix, const VehicleParameters& vehicle,
+                   const rsi::Parameters& calibration) {
+    const SensorOptions usual = recording_sensors(vehicle);
+    std::vector<SensorOptions> sensors{usual};
+    for (const TurnedHousing& each : turned_housings(usual)) {
+        sensors.push_back(each.options);
+        matrix.rows.push_back({each.fault, {}, {}});
+    }
+    const std::vector<std::vector<DrivingState>> states = record_states(vehicle, sensors);
+    const std::size_t first = matrix.rows.size() + 1U - sensors.size();
+    for (std::size_t state = 0U; state < matrix.states.size(); ++state) {
+        const FaultyRun right = run_with_fault(states.front()[state], Fault{}, calibration);
+        for (std::size_t index = 1U; index < sensors.size(); ++index) {
+            DrivingState turned = states[index][state];
+            turned.fault_begin = 0U;
+            StateRow& row = matrix.rows[first + index - 1U];
+            FaultyRun run = run_with_fault(turned, Fault{}, calibration);
+            run.visible = 0U;
+            row.cells.push_back({{describe(row.fault), measure(turned, Fault{}, right, run),
+                                  silent_findings(turned, right, run)}});
+        }
     }
 }
 
@@ -81,6 +108,7 @@ StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parame
     for (const DrivingState& state : matrix.states) {
         inject_rows(matrix, state, calibration);
     }
+    turn_housings(matrix, vehicle, calibration);
     for (const GoodSensors& each : good) {
         matrix.rows_of_good_sensors.push_back({Fault{}, each.name, {}});
     }

@@ -1,11 +1,17 @@
 // The state matrix as a page and as a data file.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "page_templates.hpp"
+#include "sil/studies/faults/contradiction.hpp"
 #include "sil/studies/faults/expectation.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 #include "sil/studies/faults/page_template.hpp"
 #include "sil/studies/faults/reaction_table.hpp"
 #include "sil/studies/faults/state_matrix.hpp"
@@ -69,6 +75,128 @@ std::string lines_of(const std::vector<StateRow>& rows, const std::vector<Drivin
     return text;
 }
 
+// A failure of a signal in all its sizes and signs.
+struct Failure {
+    FaultPlace place{};
+    FaultKind kind{};
+    std::set<std::string> codes{};
+    std::vector<std::vector<Reaction>> by_state{};
+};
+
+std::vector<Failure> failures_in(const StateMatrix& matrix) {
+    std::vector<Failure> all;
+    for (const StateRow& row : matrix.rows) {
+        auto failure = std::find_if(all.begin(), all.end(), [&row](const Failure& each) {
+            return each.place == row.fault.place && each.kind == row.fault.kind;
+        });
+        if (failure == all.end()) {
+            failure = all.insert(all.end(), {row.fault.place, row.fault.kind, {}, {}});
+            failure->by_state.resize(matrix.states.size());
+        }
+        for (std::size_t state = 0U; state < row.cells.size(); ++state) {
+            for (const StateOutcome& outcome : row.cells[state]) {
+                failure->by_state[state].push_back(outcome.reaction);
+                if (outcome.reaction.code) {
+                    failure->codes.insert(outcome.reaction.code_name);
+                }
+            }
+        }
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Failure& left, const Failure& right) { return left.place < right.place; });
+    return all;
+}
+
+// "7 of 8, 320"
+std::string cell_of_failure(const std::vector<Reaction>& reactions) {
+    std::size_t visible = 0U;
+    std::size_t found = 0U;
+    std::optional<int> slowest;
+    for (const Reaction& reaction : reactions) {
+        visible += reaction.visible ? 1U : 0U;
+        found += reaction.visible && reaction.code ? 1U : 0U;
+        slowest = reaction.visible ? std::max(slowest, reaction.code) : slowest;
+    }
+    if (visible == 0U) {
+        return "";
+    }
+    return fmt::format("{} of {}", found, visible) + (slowest ? fmt::format(", {}", *slowest) : "");
+}
+
+// The latest of the runs without a code.
+std::string latest_warning(const Failure& failure) {
+    std::optional<int> latest;
+    for (const std::vector<Reaction>& reactions : failure.by_state) {
+        for (const Reaction& reaction : reactions) {
+            if (reaction.code || reaction.unavailable || !reaction.visible) {
+                continue;
+            }
+            if (reaction.warning_missed) {
+                return "never";
+            }
+            latest = std::max(latest, reaction.lead_loss);
+        }
+    }
+    return latest ? fmt::format("{:+}", *latest) : "";
+}
+
+bool is_always_found(const Failure& failure) {
+    for (const std::vector<Reaction>& reactions : failure.by_state) {
+        for (const Reaction& reaction : reactions) {
+            if (reaction.visible && !reaction.code) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// The lists that hold the limits of the checks have the reasons.
+std::string why_not_found(const Failure& failure) {
+    if (is_always_found(failure)) {
+        return "";
+    }
+    for (const std::vector<KnownUndetected>& list : {known_undetected_errors(), undetected_in_states()}) {
+        for (const KnownUndetected& each : list) {
+            if (each.kind == failure.kind && each.place == failure.place) {
+                return each.why;
+            }
+        }
+    }
+    for (const KnownFinding& each : known_findings()) {
+        if (each.found.fault == failure.kind && each.found.place == failure.place) {
+            return each.why;
+        }
+    }
+    for (const Contradiction& each : contradictions()) {
+        if (each.kind == failure.kind && each.place == failure.place) {
+            return each.why;
+        }
+    }
+    return "";
+}
+
+std::string detection_table(const StateMatrix& matrix) {
+    Table table;
+    table.columns = {{"of"}, {"failure"}, {"found by"}};
+    for (const DrivingState& state : matrix.states) {
+        table.columns.push_back({state.name});
+    }
+    table.columns.push_back({"warning, ms later"});
+    table.columns.push_back({"why not"});
+    for (const Failure& failure : failures_in(matrix)) {
+        std::vector<TableCell> cells{to_string(failure.place), to_string(failure.kind),
+                                     fmt::format("{}", fmt::join(failure.codes, ", "))};
+        for (const std::vector<Reaction>& reactions : failure.by_state) {
+            cells.emplace_back(cell_of_failure(reactions));
+        }
+        cells.emplace_back(latest_warning(failure));
+        cells.emplace_back(why_not_found(failure));
+        table.rows.push_back(std::move(cells));
+    }
+    return markdown(table);
+}
+
 std::string known_table() {
     Table table;
     table.columns = {{"finding"}, {"where"}, {"why"}};
@@ -123,6 +251,7 @@ std::string state_matrix_document(const StateMatrix& matrix) {
                           {"start_ms", fmt::format("{}", start_ms)},
                           {"kinds", table("fault", matrix.rows, matrix.states, name_of_kind)},
                           {"by_state", table("state", matrix.rows, matrix.states, name_of_state)},
+                          {"detection", detection_table(matrix)},
                           {"drives", list_states(matrix.states_of_good_sensors, matrix.states.size())},
                           {"good_sensors", table("sensors", matrix.rows_of_good_sensors,
                                                  matrix.states_of_good_sensors, name_of_sensors)},

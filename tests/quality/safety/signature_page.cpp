@@ -63,6 +63,8 @@ constexpr std::array<SymptomText, symptom_count> symptom_texts{{
     {Symptom::reference_valid, "reference valid", "a clear bank under a body that hardly rolls"},
     {Symptom::reference_beyond, "reference beyond",
      "the angle has long been against what the calibration says that it is not"},
+    {Symptom::load_valid, "load valid", "a received mass, and a load that minutes of driving have shown"},
+    {Symptom::load_beyond, "load beyond", "the mass is not that of this load"},
 }};
 
 constexpr bool are_in_order() {
@@ -81,7 +83,7 @@ struct SignalText {
     const char* name;
 };
 
-constexpr std::array<SignalText, 8> signal_texts{{
+constexpr std::array<SignalText, 9> signal_texts{{
     {&rsi::Inputs::lateral_specific_force_mps2, "lateral acceleration"},
     {&rsi::Inputs::vertical_specific_force_mps2, "vertical acceleration"},
     {&rsi::Inputs::roll_rate_radps, "roll rate"},
@@ -90,6 +92,7 @@ constexpr std::array<SignalText, 8> signal_texts{{
     {&rsi::Inputs::speed_mps, "speed"},
     {&rsi::Inputs::steering_wheel_angle_rad, "steering wheel angle"},
     {&rsi::Inputs::bank_angle_rad, "bank angle"},
+    {&rsi::Inputs::vehicle_mass_kg, "vehicle mass"},
 }};
 
 const char* name_of(SensorSignal signal) {

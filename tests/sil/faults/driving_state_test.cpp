@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sil/studies/faults/good_sensors.hpp"
+#include "sil/studies/faults/turned_housings.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 #include "tests/support/large_suv.h"
 
@@ -114,6 +115,29 @@ TEST(GoodSensors, SeeTheSameDriveInAnotherWay) {
                       a.speed_mps != b.speed_mps || a.steering_wheel_angle_rad != b.steering_wheel_angle_rad;
         }
         EXPECT_TRUE(differs);
+    }
+}
+
+// Gravity stands on the lateral axis; the rest, the noise among it, is as of the usual sensors.
+TEST(ATurnedHousing, TurnsBothAccelerationsTogether) {
+    const sil::SensorOptions usual = sil::recording_sensors(large_suv());
+    const std::vector<sil::TurnedHousing> turned = sil::turned_housings(usual);
+    ASSERT_EQ(turned.size(), 12U);
+    std::vector<sil::SensorOptions> options{usual};
+    for (const sil::TurnedHousing& each : turned) {
+        options.push_back(each.options);
+    }
+    const std::vector<sil::RecordedDrive> drives = sil::record_rest(large_suv(), 0.1, options);
+    for (std::size_t index = 0U; index < turned.size(); ++index) {
+        const sil::SensorSample& right = drives[0U].samples.back();
+        const sil::SensorSample& sample = drives[index + 1U].samples.back();
+        const double about_x =
+            turned[index].fault.kind == sil::FaultKind::turned_about_x ? turned[index].fault.magnitude : 0.0;
+        EXPECT_NEAR(sample.lateral_acceleration_mps2 - right.lateral_acceleration_mps2,
+                    9.80665 * std::sin(about_x), 0.001);
+        EXPECT_NEAR(sample.vertical_acceleration_mps2 - right.vertical_acceleration_mps2,
+                    9.80665 * (std::cos(about_x) - 1.0), 0.001);
+        EXPECT_EQ(sample.roll_angle_rad, right.roll_angle_rad);
     }
 }
 

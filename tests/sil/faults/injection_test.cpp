@@ -167,6 +167,33 @@ TEST(SignalFault, IsVisibleFromTheSmallestErrorOn) {
     EXPECT_TRUE(frozen.is_visible());
 }
 
+// A supply or a connector of the IMU: all its signals, and no other.
+TEST(SignalFault, ChangesAllSignalsThatFailTogether) {
+    sil::SignalFault supply{{FaultKind::gain, FaultPlace::inertial_signals, 0.5}};
+    const sil::SensorSample halved = supply.apply(sample_of(1.0), true);
+    EXPECT_EQ(halved.lateral_acceleration_mps2, 0.5);
+    EXPECT_EQ(halved.vertical_acceleration_mps2, 4.5);
+    EXPECT_EQ(halved.roll_rate_radps, 0.05);
+    EXPECT_EQ(halved.roll_angle_rad, 0.05);
+    EXPECT_EQ(halved.yaw_rate_radps, 0.2);
+    EXPECT_TRUE(supply.is_visible());
+    sil::SignalFault connector{{FaultKind::not_available, FaultPlace::motion_signals, 0.0}};
+    const sil::SensorSample unplugged = connector.apply(sample_of(1.0), true);
+    EXPECT_TRUE(std::isnan(unplugged.speed_mps));
+    EXPECT_TRUE(std::isnan(unplugged.yaw_rate_radps));
+    EXPECT_TRUE(std::isnan(unplugged.steering_wheel_angle_rad));
+    EXPECT_EQ(unplugged.roll_rate_radps, 0.1);
+    sil::SignalFault gateway{{FaultKind::frozen, FaultPlace::all_signals, 0.0}};
+    EXPECT_EQ(gateway.apply(sample_of(1.0), true).speed_mps, 20.0);
+    const sil::SensorSample later = gateway.apply(sample_of(2.0), true);
+    EXPECT_EQ(later.speed_mps, 20.0);
+    EXPECT_EQ(later.roll_angle_rad, 0.05);
+    EXPECT_EQ(gateway.apply(sample_of(2.0), false).speed_mps, 40.0);
+    EXPECT_EQ(sil::signals_at(FaultPlace::all_signals).size(), 7U);  // a bank sensor is rare
+    EXPECT_EQ(sil::signals_at(FaultPlace::vehicle_mass).size(), 1U);
+    EXPECT_TRUE(sil::signals_at(FaultPlace::bus).empty());
+}
+
 TEST(SignalFault, ScalesTheSignalOrLeavesItsNoiseAlone) {
     const auto reported = [](const Fault& fault) {
         sil::SignalFault sensor{fault};

@@ -23,10 +23,23 @@ class AtPowerOn : public ::testing::TestWithParam<const char*> {
     AtPowerOn() {
         sil::Manoeuvre straight = sil::find_manoeuvre("straight");
         straight.duration_s = 5.0;
+        record(straight);
+    }
+
+    void record(const sil::Manoeuvre& manoeuvre) {
         const auto recorded =
-            sil::record_drive(vehicle, straight, {}, {sil::recording_sensors(vehicle)}).front();
+            sil::record_drive(vehicle, manoeuvre, {}, {sil::recording_sensors(vehicle)}).front();
         static_cast<sil::RecordedDrive&>(drive) = recorded;
         drive.fault_end = drive.samples.size();
+    }
+
+    // Cycle of the first warning; that of the end without one.
+    int first_warning(const Fault& fault) const {
+        const sil::FaultyRun run = sil::run_with_fault(drive, fault, calibration);
+        const auto found = std::find_if(run.answers.begin(), run.answers.end(), [](const auto& answer) {
+            return answer->state == sil::WarningState::warning;
+        });
+        return static_cast<int>(found - run.answers.begin());
     }
 
     static std::string file(const char* folder) {
@@ -47,6 +60,19 @@ TEST_P(AtPowerOn, ARollSensorThatIsFarOffDoesNotWarnAndGetsItsCode) {
         EXPECT_TRUE(run.answers.at(60)->codes.any()) << error_deg;
         EXPECT_EQ(run.answers.back()->state, sil::WarningState::ready) << error_deg;
         EXPECT_EQ(run.answers.back()->roll_source, sil::RollSource::observer) << error_deg;
+    }
+}
+
+// Another vehicle's mass, one axle's, or a trailer's in it; nor does it warn if no warning is due.
+TEST_P(AtPowerOn, AWrongMassLeavesTheLeadOfAWarning) {
+    for (const char* const name : {"j-turn-110", "fishhook-1a"}) {
+        record(sil::with_lead_in(sil::find_manoeuvre(name), 2.0));
+        const int without = first_warning({});
+        for (const double gain : {0.7, 0.8, 0.9, 1.1, 1.2, 1.3, 1.6, 2.0}) {
+            EXPECT_NEAR(first_warning({FaultKind::gain, FaultPlace::vehicle_mass, gain}), without, 10)
+                << gain;
+        }
+        EXPECT_NEAR(first_warning({FaultKind::offset, FaultPlace::vehicle_mass, 1000.0}), without, 10);
     }
 }
 

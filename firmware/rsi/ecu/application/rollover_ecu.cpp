@@ -156,7 +156,8 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
         load_keeper_.keep(component_.learnt_load());
     }
 
-    report.degradation = monitoring::degradation_of(inputs_, outputs_, internal_fault());
+    report.degradation =
+        monitoring::degradation_of(inputs_, outputs_, internal_fault(), memory_.confirmed_codes());
     report.diagnosis = memory_.next();
     if (is_sending_) {
         transmission_.send(bus_, outputs_, report);

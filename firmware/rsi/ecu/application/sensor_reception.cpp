@@ -118,6 +118,9 @@ rsi::Inputs SensorReception::inputs(const ReceptionReport& report) const noexcep
         report.vehicle_motion.is_fresh() ? vehicle_motion_.latest().value : can_dbc::VehicleMotion{};
     const can_dbc::VehicleMass mass =
         report.vehicle_mass_is_fresh ? vehicle_mass_.latest().value : can_dbc::VehicleMass{};
+    // A code beyond the range is a mass that no vehicle has, unlike one that is not available.
+    const bool mass_is_impossible =
+        report.vehicle_mass_is_fresh && (vehicle_mass_.latest().status.mass_kg == SignalStatus::out_of_range);
 
     rsi::Inputs inputs{};
     inputs.lateral_specific_force_mps2 = imu.lateral_acceleration_mps2;
@@ -129,7 +132,7 @@ rsi::Inputs SensorReception::inputs(const ReceptionReport& report) const noexcep
     inputs.speed_mps = motion.speed_kmh * mps_per_kmh;
     inputs.steering_wheel_angle_rad =
         steering_fitted_ ? motion.steering_wheel_angle_deg * radians_per_degree : rsi::not_available;
-    inputs.vehicle_mass_kg = mass.mass_kg;
+    inputs.vehicle_mass_kg = mass_is_impossible ? 0.0F : mass.mass_kg;
     return inputs;
 }
 

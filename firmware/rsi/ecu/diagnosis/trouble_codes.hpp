@@ -99,6 +99,9 @@ inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
     row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility),
     row(DiagnosticCode::stored_parameters_refused, 0x5217U, failure_type::calibration_memory),
     row(DiagnosticCode::storage_failed, 0x5217U, failure_type::data_memory),
+    row(DiagnosticCode::vehicle_mass_invalid, 0x5209U, failure_type::signal_invalid),
+    row(DiagnosticCode::vehicle_mass_jump, 0x5209U, failure_type::rate_above_limit),
+    row(DiagnosticCode::vehicle_mass_contradicts_load, 0x5209U, failure_type::plausibility),
 };
 
 constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>& table) {

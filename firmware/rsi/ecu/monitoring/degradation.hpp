@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "rsi/ecu/monitoring/signatures.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -14,11 +15,12 @@ enum class Degradation : std::uint8_t {
     roll_sensor_lost,  // the observer replaces the roll sensor
     motion_lost,       // no speed or yaw rate: nothing would replace a failing roll sensor
     internal_fault,    // a self-check has failed; no warning function
+    mass_lost,         // the received vehicle mass is not used; the load as driving shows it
 };
 
 // Degradation of a cycle with these inputs and outputs.
-inline Degradation degradation_of(const rsi::Inputs& inputs, const rsi::Outputs& outputs,
-                                  bool internal_fault) noexcept {
+inline Degradation degradation_of(const rsi::Inputs& inputs, const rsi::Outputs& outputs, bool internal_fault,
+                                  CodeSet confirmed) noexcept {
     if (internal_fault) {
         return Degradation::internal_fault;
     }
@@ -29,7 +31,10 @@ inline Degradation degradation_of(const rsi::Inputs& inputs, const rsi::Outputs&
         return Degradation::roll_sensor_lost;
     }
     const bool moving_known = rsi::is_finite(inputs.speed_mps) && rsi::is_finite(inputs.yaw_rate_radps);
-    return moving_known ? Degradation::full : Degradation::motion_lost;
+    if (!moving_known) {
+        return Degradation::motion_lost;
+    }
+    return ((confirmed & mass_codes) == 0U) ? Degradation::full : Degradation::mass_lost;
 }
 
 }  // namespace rsi::monitoring

@@ -24,6 +24,7 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::speed_invalid:
         case DiagnosticCode::steering_invalid:
         case DiagnosticCode::bank_angle_invalid:
+        case DiagnosticCode::vehicle_mass_invalid:
             return {3U, 5U};
         case DiagnosticCode::lateral_acceleration_jump:
         case DiagnosticCode::vertical_acceleration_jump:
@@ -32,6 +33,7 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::yaw_rate_jump:
         case DiagnosticCode::speed_jump:
         case DiagnosticCode::steering_jump:
+        case DiagnosticCode::vehicle_mass_jump:
             return {3U, 50U};
         case DiagnosticCode::lateral_acceleration_stuck:
         case DiagnosticCode::vertical_acceleration_stuck:

@@ -88,10 +88,15 @@ enum class DiagnosticCode : std::uint8_t {
     // Non-volatile memory
     stored_parameters_refused,
     storage_failed,
+
+    // The vehicle's mass: single, and against the load that driving has shown
+    vehicle_mass_invalid,
+    vehicle_mass_jump,
+    vehicle_mass_contradicts_load,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::storage_failed) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::vehicle_mass_contradicts_load) + 1U;
 
 // Set of codes: bit n stands for the code with number n.
 using CodeSet = std::uint64_t;

@@ -1,5 +1,6 @@
 #include "rsi/ecu/monitoring/input_monitor.hpp"
 
+#include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/ecu/monitoring/inclination.hpp"
 #include "rsi/ecu/monitoring/signatures.hpp"
 #include "rsi/numeric/bounded.hpp"
@@ -25,8 +26,6 @@ constexpr float calm_roll_rate_radps = 0.1F;
 // Nearer to the limit a tyre that slides, or grips again, makes such steps.
 constexpr float everyday_force_mps2 = 3.5F;
 
-constexpr float sure_excess_deviation = 0.06F;
-
 // A speed in larger steps repeats its value in turns at a constant speed.
 constexpr float largest_fine_step_mps = 0.05F;
 constexpr float further_than_any_reference = 1.0e6F;
@@ -37,10 +36,9 @@ float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noex
     return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
 }
 
-// Results of minutes of driving. An accelerometer that has just failed looks like a load, but not like
-// one that is known so well. NaN while the component makes no statement.
+// NaN while the component makes no statement.
 float sure_load_excess(const rsi::Outputs& before) noexcept {
-    return (before.load_excess_deviation >= sure_excess_deviation) ? 0.0F : before.load_excess;
+    return (before.load_excess_deviation >= rsi::sure_load_deviation) ? 0.0F : before.load_excess;
 }
 
 // Skips rows that cannot change the code's status.
@@ -83,7 +81,10 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     const ForceGain force_gain = force_gain_;
     const TravelDirection direction = direction_;          // a stall turns no vehicle round
     const StartingAngle starting_angle = starting_angle_;  // an angle that was right before may be large now
+    const MassCheck mass = mass_;
     *this = InputMonitor{};
+    mass_ = mass;
+    mass_.start(parameters);
     starting_angle_ = starting_angle;
     wrong_of_roll_ = wrong_of_roll;
     force_gain_ = force_gain;
@@ -111,6 +112,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     seen |= vertical_symptoms(references, before);
     seen |= reference_symptoms(references, before);
     seen |= observer_symptoms(inputs, before);
+    seen |= mass_.symptoms_with(before);
     judge(seen, memory);
     if (starting_angle_.waits(qualified.roll_angle_rad, roll_beyond_observed(inputs, before))) {
         qualified.roll_angle_rad = rsi::not_available;
@@ -180,6 +182,7 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
         speed_.forget();
         steering_.forget();
     }
+    qualified.vehicle_mass_kg = mass_.qualify(inputs.vehicle_mass_kg, inputs.speed_mps, memory);
     return qualified;
 }
 

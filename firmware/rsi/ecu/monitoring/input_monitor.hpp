@@ -5,6 +5,7 @@
 #include "rsi/ecu/monitoring/flight.hpp"
 #include "rsi/ecu/monitoring/force_gain.hpp"
 #include "rsi/ecu/monitoring/force_vote.hpp"
+#include "rsi/ecu/monitoring/mass_check.hpp"
 #include "rsi/ecu/monitoring/roll_consistency.hpp"
 #include "rsi/ecu/monitoring/roll_reference_check.hpp"
 #include "rsi/ecu/monitoring/sensor_noise.hpp"
@@ -108,6 +109,7 @@ class InputMonitor {
     VerticalOffset vertical_offset_{};
     Flight flight_{};
     SensorNoise speed_noise_{};
+    MassCheck mass_{};
     float turned_rad_{0.0F};  // integral of the roll rate, as a reference
     // The faulty one of roll rate and roll angle, as long as they contradict each other.
     OfRoll wrong_of_roll_{otherwise_wrong};

@@ -60,11 +60,12 @@ inline constexpr DiagnosticCode roll_short = DiagnosticCode::roll_rate_contradic
 inline constexpr DiagnosticCode roll_long = DiagnosticCode::roll_rate_offset;
 inline constexpr DiagnosticCode vertical = DiagnosticCode::vertical_acceleration_offset;
 inline constexpr DiagnosticCode reference = DiagnosticCode::roll_angle_reference_wrong;
+inline constexpr DiagnosticCode mass = DiagnosticCode::vehicle_mass_contradicts_load;
 
 }  // namespace row
 
 // The first row of each code that fits counts. If none does, the code is neither set nor cleared.
-inline constexpr std::array<Signature, 26> signatures{{
+inline constexpr std::array<Signature, 28> signatures{{
     sets(row::lateral, Symptom::lateral_sign_alone),
     sets(row::lateral, Symptom::slow_vehicle_beyond),
     sets(row::lateral, Symptom::lateral_alone).unless(Symptom::spinning).unless(Symptom::roll_force_within),
@@ -110,6 +111,9 @@ inline constexpr std::array<Signature, 26> signatures{{
 
     sets(row::reference, Symptom::reference_beyond),
     clears(row::reference, Symptom::reference_valid),
+
+    sets(row::mass, Symptom::load_beyond),
+    clears(row::mass, Symptom::load_valid),
 }};
 
 // Each of these symptoms sets the code by itself; without one of them no code is set anew.
@@ -142,7 +146,7 @@ constexpr Proof proof_by(Symptom symptom) noexcept {
     return proof;
 }
 
-inline constexpr std::array<Proof, 6> proofs{
+inline constexpr std::array<Proof, 7> proofs{
     // Straight on nothing is seen of the yaw rate, and little of the force.
     proof_by(Symptom::turn_within).with(Symptom::turn_clear),
     proof_by(Symptom::gain_valid),
@@ -150,6 +154,7 @@ inline constexpr std::array<Proof, 6> proofs{
     proof_by(Symptom::roll_valid),
     proof_by(Symptom::vertical_within),
     proof_by(Symptom::reference_valid),
+    proof_by(Symptom::load_valid),
 };
 
 constexpr CodeSet find_judged_codes() noexcept {
@@ -190,12 +195,14 @@ inline constexpr CodeSet roll_contradictions = set_of(row::roll_short, row::roll
 // Effect of each code on its signal, beside these two. While one that the signal sets by itself is active it
 // is no reference for another. While one of the others is confirmed it is not used; with its own, its check
 // gives no value.
+inline constexpr CodeSet mass_codes =
+    set_of(DiagnosticCode::vehicle_mass_invalid, DiagnosticCode::vehicle_mass_jump, row::mass);
 struct Consequence {
     SensorSignal signal;
     CodeSet no_reference;
     CodeSet not_used;
 };
-inline constexpr std::array<Consequence, 8> consequences{{
+inline constexpr std::array<Consequence, 9> consequences{{
     Consequence{
         &rsi::Inputs::lateral_specific_force_mps2,
         set_of(DiagnosticCode::lateral_acceleration_invalid, DiagnosticCode::lateral_acceleration_jump),
@@ -219,6 +226,7 @@ inline constexpr std::array<Consequence, 8> consequences{{
                 set_of(DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump),
                 set_of(DiagnosticCode::steering_stuck)},
     Consequence{&rsi::Inputs::bank_angle_rad, set_of(), set_of(DiagnosticCode::bank_angle_invalid)},
+    Consequence{&rsi::Inputs::vehicle_mass_kg, set_of(), mass_codes},
 }};
 
 constexpr CodeSet find_no_reference_codes() noexcept {

@@ -52,6 +52,10 @@ enum class Symptom : std::uint8_t {
     reference_valid,
     reference_beyond,
 
+    // Vehicle mass, learnt load: mass_check.hpp
+    load_valid,
+    load_beyond,
+
     count,
 };
 

@@ -1103,6 +1103,7 @@ struct RolloverDiagnosis {
         roll_sensor_lost = 2,
         motion_lost = 3,
         internal_fault = 4,
+        mass_lost = 5,
     };
 
     // The diagnostic code that this frame tells of; each cycle the next one in the memory.
@@ -1161,6 +1162,9 @@ struct RolloverDiagnosis {
         imu_held_back = 51,
         stored_parameters_refused = 52,
         storage_failed = 53,
+        vehicle_mass_invalid = 54,
+        vehicle_mass_jump = 55,
+        vehicle_mass_contradicts_load = 56,
     };
 
     // How far that code has come.
@@ -1251,6 +1255,7 @@ struct RolloverDiagnosis {
             case Degradation::roll_sensor_lost:
             case Degradation::motion_lost:
             case Degradation::internal_fault:
+            case Degradation::mass_lost:
                 return true;
         }
         return false;
@@ -1269,6 +1274,8 @@ struct RolloverDiagnosis {
                 return "motion lost";
             case Degradation::internal_fault:
                 return "internal fault";
+            case Degradation::mass_lost:
+                return "mass lost";
         }
         return "unknown";
     }
@@ -1329,6 +1336,9 @@ struct RolloverDiagnosis {
             case Code::imu_held_back:
             case Code::stored_parameters_refused:
             case Code::storage_failed:
+            case Code::vehicle_mass_invalid:
+            case Code::vehicle_mass_jump:
+            case Code::vehicle_mass_contradicts_load:
                 return true;
         }
         return false;
@@ -1445,6 +1455,12 @@ struct RolloverDiagnosis {
                 return "stored parameters refused";
             case Code::storage_failed:
                 return "storage failed";
+            case Code::vehicle_mass_invalid:
+                return "vehicle mass invalid";
+            case Code::vehicle_mass_jump:
+                return "vehicle mass jump";
+            case Code::vehicle_mass_contradicts_load:
+                return "vehicle mass contradicts load";
         }
         return "unknown";
     }
