@@ -5,19 +5,22 @@
 //   use: ecu-drive VEHICLE.toml PARAMETERS.toml
 //
 // One command a line:
-//   drive MANOEUVRE SECONDS [LOST...]   a new drive, the ECU off and on again before it; what was stored
-//   stays.
-//                                       SECONDS 0: as long as the manoeuvre. LOST: sensor values without a
-//                                       sensor
-//   drive bench 0                       the ECU alone, without sensor frames
-//   send ID#HEX                         a frame of the tester, for the next cycle
-//   step CYCLES                         so many cycles; the vehicle is driven on after the manoeuvre's end
-//   finish                              cycles to the manoeuvre's end
+//   drive MANOEUVRE SECONDS [LOST...]
+//     a new drive, the ECU off and on again before it; stored data stay. SECONDS 0: as long as the manoeuvre.
+//     LOST: values without a sensor
+//   drive bench 0
+//     the ECU alone, without sensor frames
+//   send ID#HEX
+//     a frame of the tester, for the next cycle
+//   step CYCLES
+//     so many cycles; the vehicle is driven on after the manoeuvre's end
+//   finish
+//     cycles to the manoeuvre's end
 // The answer to each ends in a line "done"; before it, "wrong REASON", or for each cycle:
-//   cycle NUMBER STATE SIDE FRAMES NUMBERS   frames of the ECU but a tester's; a checksum of all outputs but
-//   state
-//                                            and side
-//   frame ID#HEX                             an answer to the tester
+//   cycle NUMBER STATE SIDE FRAMES NUMBERS
+//     FRAMES: those of the ECU but a tester's. NUMBERS: a checksum of all outputs but state and side
+//   frame ID#HEX
+//     an answer to the tester
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -17,6 +17,7 @@ const DEGRADATION_WORDS = {
   "full": "works fully",
   "roll sensor lost": "works without the roll sensor",
   "motion lost": "works, but without a stand-in for the roll sensor",
+  "mass lost": "works, but does not use the vehicle's mass",
   "internal fault": "cannot warn: a check of itself has failed",
 };
 const PACES = [0.1, 0.25, 0.5, 1, 2, 5, 10];

@@ -206,8 +206,11 @@ class TableSource:
         if self.is_csv and not self.time:
             return None
         mapping = AsDrafted(entries)
-        unit = self.time_unit()
-        mapping.time = (self.time.key, factor_of(unit[0], "time") if unit else 1.0) if self.is_csv else None
+        if self.is_csv:
+            unit = self.time_unit()
+            mapping.time = (self.time.key, factor_of(unit[0], "time") if unit else 1.0)
+        else:
+            mapping.time = None
         return table_signals.read([self.log], mapping)[0]
 
 

@@ -138,7 +138,7 @@ class Csv:
         first = next((index for index, (_, fields) in enumerate(rows) if self.is_row(fields)), None)
         above = []  # lines without a number and of as many fields, the nearest first
         for number, fields in reversed(rows[:first] if first is not None else []):
-            if len(fields) == len(rows[first][1]) and not any(self.number_of(field) is not None for field in fields):
+            if len(fields) == len(rows[first][1]) and not any(self.is_value(field) for field in fields):
                 above += [(number, fields)] * any(fields)
             elif above:
                 break
@@ -152,7 +152,10 @@ class Csv:
 
     def is_row(self, fields):
         filled = [field for field in fields if field]
-        return len(fields) > 1 and sum(self.number_of(field) is not None for field in filled) > len(filled) / 2
+        return len(fields) > 1 and sum(self.is_value(field) for field in filled) > len(filled) / 2
+
+    def is_value(self, field):
+        return self.number_of(field) is not None or CLOCK.fullmatch(field) is not None
 
     def separate_by(self, separator):
         self.separator, self.comma = separator, separator != ","
@@ -280,7 +283,7 @@ def read_rows(table, lines, names, units, mapping, wanted, clock, collected):
             raise LogError(f"{place}: {len(fields)} fields, but line {header_line} names {len(names)} columns; export it again")
         number = table.number_of(fields[time_index])
         clock_s = clock_times.seconds(fields[time_index]) if number is None else None
-        if targets is None and all(table.number_of(field) is None for field in fields):
+        if targets is None and clock_s is None and all(table.number_of(field) is None for field in fields):
             units = fields if any(fields) else units  # a line of units below the names
             continue
         if number is None and clock_s is None:

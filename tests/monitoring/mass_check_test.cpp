@@ -122,6 +122,40 @@ TEST_F(AMass, ThatChangesWhileTheVehicleMovesIsNotUsedUntilItIsBackOrTheVehicleS
     EXPECT_TRUE(memory.no_active_codes());
 }
 
+// The masses of another calibration change no load.
+TEST_F(AMass, IsTheSameForAnotherCalibration) {
+    run(10, 1.0F);
+    suv.sprung_mass_kg *= 1.2F;
+    monitor.start(suv);
+    for (int cycle = 0; cycle < 10; ++cycle) {
+        qualified = monitor.qualify(inputs, {false, false, false}, before, memory);
+    }
+    EXPECT_TRUE(is_used());
+    EXPECT_TRUE(memory.no_active_codes());
+}
+
+TEST_F(AMass, IsNotJudgedWithoutParameters) {
+    monitor = {};
+    monitor.start(rsi::Parameters{});
+    for (int cycle = 0; cycle < 10; ++cycle) {
+        inputs.vehicle_mass_kg = (cycle % 2 == 0) ? 0.0F : 2000.0F;
+        qualified = monitor.qualify(inputs, {false, false, false}, before, memory);
+        EXPECT_TRUE(is_not_used());
+    }
+    EXPECT_TRUE(memory.no_active_codes());
+}
+
+// A speed that its own check holds back is no stop.
+TEST_F(AMass, DoesNotTakeASingleZeroOfTheSpeedForAStop) {
+    for (int cycle = 0; cycle < 20; ++cycle) {
+        const bool is_other = cycle >= 10;
+        inputs.speed_mps = (cycle == 10) ? 0.0F : 30.0F;
+        inputs.vehicle_mass_kg = suv.unsprung_mass_kg + (is_other ? 1.5F : 1.0F) * suv.sprung_mass_kg;
+        qualified = monitor.qualify(inputs, {false, false, true}, before, memory);
+        EXPECT_EQ(is_not_used(), is_other) << cycle;
+    }
+}
+
 TEST_F(AMass, ThatWasKnownBeforeAStallIsKnownAfterIt) {
     run(10, 1.0F);
     monitor.start(suv);

@@ -176,7 +176,9 @@ TEST(WorkingPage, IsWrittenWithinItsEndsAlone) {
     EXPECT_EQ(bench.download(map::parameters_at + map::parameters_length - 4U, {0, 0, 0, 0, 0}),
               (Bytes{0xFE, 0x24}));
     EXPECT_EQ(bench.download(map::parameters_at - 4U, {0, 0, 0, 0}), (Bytes{0xFE, 0x24}));
-    EXPECT_EQ(bench.download(map::outputs_at, {0, 0, 0, 0}), (Bytes{0xFE, 0x23}));
+    for (const std::uint32_t measured : {map::outputs_at, map::inputs_at, map::codes_at}) {
+        EXPECT_EQ(bench.download(measured, {0, 0, 0, 0}), (Bytes{0xFE, 0x23})) << measured;
+    }
     EXPECT_EQ(bench.download(map::parameters_at, {}), (Bytes{0xFE, 0x22}));
     EXPECT_EQ(bench.command({0xF0, 7, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x22}));
 }

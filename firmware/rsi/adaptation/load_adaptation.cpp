@@ -77,6 +77,7 @@ void LoadAdaptation::weigh_mass() {
 void LoadAdaptation::reset_learnt() {
     regression_.reset();
     regression_.expect_change(mass_factor_ - 1.0F);
+    learnt_at_mass_factor_ = mass_factor_;
     weigh_mass();
 }
 

@@ -108,5 +108,5 @@ int main() {
     inputs();
     codes("code_", map::codes_at, "the monitoring has set or confirmed this diagnostic code");
     codes("confirmed_", map::codes_at + sizeof(rsi::monitoring::CodeSet),
-          "the monitoring has confirmed this diagnostic code since the start");
+          "the monitoring has confirmed this diagnostic code, which is not healed yet");
 }

@@ -71,7 +71,7 @@ std::string conclusion_on_roll(const Validation& validation, bool is_rightly_war
         return "No drive says anything of the calibration.";
     }
     return is_rightly_warned ? "The calibration describes every drive that says anything of it."
-                             : "The calibration describes how every drive rolls that says anything of it.";
+                             : "The calibration describes the roll of every drive that says anything of it.";
 }
 
 std::string conclusion(const Validation& validation) {

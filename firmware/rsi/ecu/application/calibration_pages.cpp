@@ -193,8 +193,10 @@ bool CalibrationPages::checksum(std::uint32_t address, xcp::Page page, std::size
 xcp::Error CalibrationPages::write(std::uint32_t address, const std::uint8_t* bytes,
                                    std::size_t count) noexcept {
     if (!is_usable_ || !is_within(address, count, parameter_range)) {
-        return is_within(address, count, output_range) ? xcp::Error::write_protected
-                                                       : xcp::Error::access_denied;
+        const bool is_measured = is_within(address, count, output_range) ||
+                                 is_within(address, count, input_range) ||
+                                 is_within(address, count, code_range);
+        return is_measured ? xcp::Error::write_protected : xcp::Error::access_denied;
     }
     std::uint32_t place = address - map::parameters_at;
     if ((place % 4U != 0U) && (place != piece_ends_at_)) {

@@ -15,7 +15,7 @@ enum class Degradation : std::uint8_t {
     roll_sensor_lost,  // the observer replaces the roll sensor
     motion_lost,       // no speed or yaw rate: nothing would replace a failing roll sensor
     internal_fault,    // a self-check has failed; no warning function
-    mass_lost,         // the received vehicle mass is not used; the load as driving shows it
+    mass_lost,         // the received vehicle mass is not used; the last one as far as the load admits
 };
 
 // Degradation of a cycle with these inputs and outputs.

@@ -182,7 +182,7 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
         speed_.forget();
         steering_.forget();
     }
-    qualified.vehicle_mass_kg = mass_.qualify(inputs.vehicle_mass_kg, inputs.speed_mps, memory);
+    qualified.vehicle_mass_kg = mass_.qualify(inputs.vehicle_mass_kg, qualified.speed_mps, memory);
     return qualified;
 }
 

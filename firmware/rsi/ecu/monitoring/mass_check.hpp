@@ -19,11 +19,12 @@ class MassCheck {
         sprung_mass_kg_ = parameters.sprung_mass_kg;
     }
 
-    // One cycle; NaN where there is no mass to use. A mass that is not available is no fault. One that is
-    // another than at the last stop is not used: a load comes at a stop.
+    // One cycle; NaN where there is no mass to use. A mass that is not available is no fault, and without
+    // parameters there is no judgement. One that is another than at the last stop is not used: a load comes
+    // at a stop.
     float qualify(float mass_kg, float speed_mps, DiagnosticMemory& memory) noexcept {
         by_mass_ = rsi::not_available;
-        if (!rsi::is_finite(mass_kg)) {
+        if (!rsi::is_finite(mass_kg) || (sprung_mass_kg_ <= 0.0F)) {
             return rsi::not_available;
         }
         const float by_mass = (mass_kg - unsprung_mass_kg_) / sprung_mass_kg_ - 1.0F;
@@ -36,10 +37,11 @@ class MassCheck {
         }
         const bool stands = rsi::is_within_magnitude(speed_mps, standing_mps);
         if (stands || !known_) {
-            loaded_by_mass_ = by_mass;
+            loaded_mass_kg_ = mass_kg;
             known_ = true;
         }
-        const bool changes = !rsi::is_within_magnitude(by_mass - loaded_by_mass_, largest_change);
+        const bool changes =
+            !rsi::is_within_magnitude(mass_kg - loaded_mass_kg_, largest_change * sprung_mass_kg_);
         memory.report(DiagnosticCode::vehicle_mass_jump, changes);
         memory.add_tested(set_of(DiagnosticCode::vehicle_mass_jump));
         if (changes) {
@@ -65,9 +67,9 @@ class MassCheck {
     static constexpr float largest_change = 0.05F;  // of the sprung mass
 
     float unsprung_mass_kg_{0.0F};
-    float sprung_mass_kg_{1.0F};
+    float sprung_mass_kg_{0.0F};
     float by_mass_{rsi::not_available};  // change of the sprung mass, as a share; NaN: none to judge
-    float loaded_by_mass_{0.0F};         // the same at the last stop, or of the first mass
+    float loaded_mass_kg_{0.0F};         // at the last stop, or the first one
     bool known_{false};
 };
 
