@@ -205,6 +205,9 @@ class Tables(drive_support.WithDrives):
             units = units.replace(f'{ending}"', f'{ending}"\nunit = "{unit}"')
         drive, _ = self.drive(file, dbc=None, mapping=self.mapping(units))
         self.assertEqual(self.replay(drive), self.replay(self.original))
+        drafted = self.folder / "drafted.toml"
+        self.logs("draft", "--log", file, "--output", drafted)
+        self.assertIn('signal = "Ay [G]"', drafted.read_text(encoding="utf-8"))
         for wrong, expected in (("Ay [G", "has no such channel; close to it: Ay [G]"), ("Mode", None)):
             mapping = self.mapping(units.replace('"Ay [G]"', f'"{wrong}"'))
             if expected:
