@@ -39,7 +39,8 @@ class NvFile final : public rsi::hal::Storage {
     }
 
  private:
-    static constexpr std::size_t longest = 512U;
+    static constexpr std::size_t longest = 2048U;
+    static_assert(sizeof(rsi::diagnosis::KeptPayload) + 64U <= longest, "and what a record has besides");
 
     std::optional<rsi::hal::FileStorage> file_;
     rsi::hal::MemoryStorage<longest> memory_;

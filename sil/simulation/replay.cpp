@@ -16,7 +16,7 @@ namespace sil {
 namespace {
 
 // Recorders of several buses write that much out of order; as sil/tools/recorded.py has it.
-constexpr rsi::hal::Time longest_step_back = rsi::hal::Time::from_milliseconds(200);
+constexpr rsi::hal::Time longest_disorder = rsi::hal::Time::from_milliseconds(200);
 // A longer gap means two recordings on different clocks; stepping through it could take arbitrarily long.
 constexpr rsi::hal::Time longest_gap = rsi::hal::Time::from_milliseconds(3'600'000);
 // More do not fit into the memory of every machine.
@@ -67,7 +67,7 @@ std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>
         }
         const rsi::hal::Time time = logged.frame.receive_time;
         latest = frames.empty() ? time : latest;
-        if (longest_step_back < latest - time) {
+        if (longest_disorder < latest - time) {
             throw ReplayError{
                 logged.line,
                 fmt::format("the time goes back from {:.6f} s to {:.6f} s, further than recorders of several "

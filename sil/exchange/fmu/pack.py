@@ -170,7 +170,7 @@ def add_windows(packed, scratch):
         for name, content in files.items():
             if name.startswith("sources/"):
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
-                (folder / name).write_bytes(content)
+                file_io.write(folder / name, content)
         binary = folder / f"{ECU.identifier}.dll"
         run(WINDOWS_COMPILER, "-std=c++17", "-O2", "-ffp-contract=off", "-shared", "-static", "-s", f"-I{folder}/sources", "-o",
             binary, folder / "sources" / UNIT)
