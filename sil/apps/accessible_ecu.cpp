@@ -4,21 +4,11 @@
 
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
 #include "sil/files/parameter_section_file.hpp"
+#include "sil/files/require_accepted.hpp"
 
 namespace sil {
-namespace {
-
-void require_accepted(const rsi::Validation& answer) {
-    if (answer.accepted == 0) {
-        throw std::runtime_error(
-            fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
-    }
-}
-
-}  // namespace
 
 AccessibleEcu::AccessibleEcu(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock,
                              rsi::hal::Watchdog& watchdog, const rsi::Parameters& parameters,
