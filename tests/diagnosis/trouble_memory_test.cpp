@@ -159,6 +159,34 @@ TEST_F(Troubles, ATestIsCompletedAfterAsManyCyclesAsHealItsCode) {
     }
 }
 
+// A restored record that is complete has nothing left to count, whatever was open before.
+TEST_F(Troubles, AStartCountsOnlyTheTestsThatItsRecordLacks) {
+    run_tests(longest_heal, all);
+    TroubleMemory other;
+    other.start(true);
+    other.restore(memory_.stored_data());
+    other.start(false);
+    other.stored();
+    for (int cycle = 0; cycle < longest_heal; ++cycle) {
+        other.update({0U, 0U, all}, {}, 0U);
+    }
+    EXPECT_EQ(other.storing(), Storing::not_needed);
+}
+
+TEST_F(Troubles, ATestThatHasFailedIsNotCompletedAsWell) {
+    run(1, imu_failed);
+    memory_.stored();
+    run_tests(longest_heal, imu_failed);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed);
+}
+
+TEST_F(Troubles, AStartForgetsWhichCodesWereJustCleared) {
+    memory_.clear_all();
+    ASSERT_NE(memory_.cleared_codes(), 0U);
+    memory_.start(false);
+    EXPECT_EQ(memory_.cleared_codes(), 0U);
+}
+
 TEST_F(Troubles, ACheckThatDoesNotRunCompletesNothing) {
     run(10000);
     run_tests(longest_heal, all & ~gain_failed);

@@ -134,6 +134,41 @@ TEST_F(AMass, IsTheSameForAnotherCalibration) {
     EXPECT_TRUE(memory.no_active_codes());
 }
 
+TEST_F(AMass, MayChangeByATwentiethOfTheSprungMass) {
+    run(3, 1.0F);
+    run(3, 1.048F);
+    EXPECT_TRUE(is_used());
+    run(1, 1.052F);
+    EXPECT_TRUE(is_not_used());
+    inputs.speed_mps = 0.51F;
+    run(1, 1.052F);
+    EXPECT_TRUE(is_not_used());
+    inputs.speed_mps = 0.49F;
+    run(1, 1.052F);
+    EXPECT_TRUE(is_used());
+}
+
+TEST_F(AMass, ThatIsGoneIsNotHeldAgainstTheLoad) {
+    run(10, 1.5F);
+    know_the_load(0.0F);
+    before.load_excess_deviation = 0.06F;  // not known well enough yet
+    memory = {};
+    run(1, 1.5F);
+    EXPECT_EQ(memory.tested_codes() & rsi::monitoring::set_of(DiagnosticCode::vehicle_mass_contradicts_load),
+              0U);
+    know_the_load(0.0F);
+    memory = {};
+    run(1000, nan);
+    EXPECT_TRUE(memory.no_active_codes());
+}
+
+TEST_F(AMass, IsNotJudgedBeforeTheStart) {
+    monitor = {};
+    run(10, 1.0F);
+    EXPECT_TRUE(is_not_used());
+    EXPECT_TRUE(memory.no_active_codes());
+}
+
 TEST_F(AMass, IsNotJudgedWithoutParameters) {
     monitor = {};
     monitor.start(rsi::Parameters{});

@@ -181,7 +181,9 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(tester.unlock(), b"\x67\x02")
             self.assertEqual(tester.ask(0x11, 0x01), b"\x51\x01")
             self.assertEqual(tester.ask(0x22, b"\xF1\x86"), b"\x62\xF1\x86\x01")
-            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x33))
+            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x7F))
+            self.assertEqual(tester.ask(0x10, EXTENDED)[:2], bytes((0x50, EXTENDED)))
+            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x33))  # the key is gone, too
             self.assertEqual(ecu.stop(), 0)
         self.assertIn("a tester resets it", ecu.output)
 
