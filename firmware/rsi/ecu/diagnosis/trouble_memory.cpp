@@ -81,7 +81,6 @@ void TroubleMemory::start(bool is_new_cycle) noexcept {
         count_operation_cycle();
     }
     failed_ = 0U;
-    active_ = 0U;
     cleared_ = 0U;
     cycles_ = 0U;
     request_storing(is_new_cycle ? Storing::now : Storing::not_needed);
@@ -186,10 +185,10 @@ void TroubleMemory::begin_tests(CodeSet codes) noexcept {
 }
 
 void TroubleMemory::begin_test(std::size_t row) noexcept {
-    constexpr std::uint32_t overflow = 1U << std::tuple_size<decltype(good_tests_)>::value;
     const CodeSet bit = bit_of(row);
+    // As many of its lowest bits are taken as the numbers have: they overflow after `heal` good tests.
     std::uint32_t number =
-        overflow - monitoring::debounce_of(static_cast<monitoring::DiagnosticCode>(code_of(row))).heal;
+        0U - monitoring::debounce_of(static_cast<monitoring::DiagnosticCode>(code_of(row))).heal;
     for (CodeSet& bits : good_tests_) {
         bits = (bits & ~bit) | (((number & 1U) != 0U) ? bit : CodeSet{0U});
         number >>= 1U;
