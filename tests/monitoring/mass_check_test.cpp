@@ -28,6 +28,11 @@ class AMass : public ::testing::Test {
 
     void run(int cycles, float factor) {
         inputs.vehicle_mass_kg = suv.unsprung_mass_kg + factor * suv.sprung_mass_kg;
+        go_on(cycles);
+    }
+
+    // With the same mass.
+    void go_on(int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
             qualified = monitor.qualify(inputs, {false, false, false}, before, memory);
         }
@@ -127,9 +132,7 @@ TEST_F(AMass, IsTheSameForAnotherCalibration) {
     run(10, 1.0F);
     suv.sprung_mass_kg *= 1.2F;
     monitor.start(suv);
-    for (int cycle = 0; cycle < 10; ++cycle) {
-        qualified = monitor.qualify(inputs, {false, false, false}, before, memory);
-    }
+    go_on(10);
     EXPECT_TRUE(is_used());
     EXPECT_TRUE(memory.no_active_codes());
 }
@@ -174,7 +177,7 @@ TEST_F(AMass, IsNotJudgedWithoutParameters) {
     monitor.start(rsi::Parameters{});
     for (int cycle = 0; cycle < 10; ++cycle) {
         inputs.vehicle_mass_kg = (cycle % 2 == 0) ? 0.0F : 2000.0F;
-        qualified = monitor.qualify(inputs, {false, false, false}, before, memory);
+        go_on(1);
         EXPECT_TRUE(is_not_used());
     }
     EXPECT_TRUE(memory.no_active_codes());

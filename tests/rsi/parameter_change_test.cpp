@@ -357,12 +357,16 @@ TEST(ParameterChange, ThatIsRefusedAsTheFirstAsksForNothing) {
     EXPECT_FALSE(change.has_gains());
 }
 
+// Refused by init.
+rsi_parameters out_of_range(rsi_parameters parameters) {
+    parameters.warning_on = 1.3F;
+    return parameters;
+}
+
 TEST(ParameterChange, BegunFromNothingStartsAComponentThatRefusedItsParametersAsInitDoes) {
     const rsi_parameters good = rsi_test::large_suv();
     Pair pair{good};
-    rsi_parameters bad = good;
-    bad.warning_on = 1.3F;
-    ASSERT_EQ(pair.changed.init(bad).accepted, 0);
+    ASSERT_EQ(pair.changed.init(out_of_range(good)).accepted, 0);
     pair.changed.change(ready_change(rsi_parameters{}, good));
     for (int k = 0; k < 1000; ++k) {
         pair.step();
@@ -374,9 +378,7 @@ TEST(ParameterChange, BegunFromNothingStartsAComponentThatRefusedItsParametersAs
 TEST(ParameterChange, StartsWithWhatWasPrepared) {
     const rsi_parameters good = rsi_test::large_suv();
     Pair pair{good};
-    rsi_parameters bad = good;
-    bad.warning_on = 1.3F;
-    ASSERT_EQ(pair.changed.init(bad).accepted, 0);
+    ASSERT_EQ(pair.changed.init(out_of_range(good)).accepted, 0);
     rsi::ParameterChange change;
     ASSERT_EQ(change.begin(rsi_parameters{}, good).accepted, 1);
     ASSERT_FALSE(change.prepare());

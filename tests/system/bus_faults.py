@@ -76,8 +76,8 @@ counter_stands = of_imu(lambda _, identifier, payload: [(0, identifier, with_cou
 
 
 def inject_error(identifier, second_byte=0):
-    with open_bus() as bus:
-        bus.send(struct.pack("=IB3x8s", ERROR_FRAME | identifier, 8, bytes((0, second_byte, 0, 0, 0, 0, 0, 0))))
+    with programs.can_socket() as bus:
+        bus.send(programs.FRAME.pack(ERROR_FRAME | identifier, 8, bytes((0, second_byte, 0, 0, 0, 0, 0, 0))))
 
 
 @contextlib.contextmanager
@@ -178,12 +178,6 @@ class Answer:
     ended: bool = False
 
 
-def open_bus():
-    bus = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
-    bus.bind((programs.INTERFACE,))
-    return bus
-
-
 def recorded_cycles(first, count):
     """Sensor frames of so many cycles of a turn, as (identifier, payload)."""
     log = programs.read_log(programs.PROJECT / "tests/application/regression/logs/rough-turn.sensors.log")
@@ -195,7 +189,7 @@ def recorded_cycles(first, count):
 
 
 def put(bus, identifier, payload):
-    bus.send(struct.pack("=IB3x8s", identifier, len(payload), payload.ljust(8, b"\0")))
+    bus.send(programs.FRAME.pack(identifier, len(payload), payload.ljust(8, b"\0")))
 
 
 def take_answer(bus):
@@ -213,8 +207,7 @@ def take_answer(bus):
 def inject_into_frames(fault):
     """In lock-step: each cycle's frames, the frame that lets the ECU compute, its answer."""
     answers, late = [], []
-    with programs.Ecu("--lock-step"), open_bus() as bus:
-        bus.settimeout(programs.LONGEST_S)
+    with programs.Ecu("--lock-step"), programs.can_socket() as bus:
         for number, frames in enumerate(recorded_cycles(0, GOOD + FAULTY + AFTER)):
             faulty = GOOD <= number < GOOD + FAULTY
             cycle = fault.frames(number, frames) if faulty else [(0, *frame) for frame in frames]
@@ -254,7 +247,7 @@ class Sensors:
         self._thread.join()
 
     def _send(self):
-        with open_bus() as bus:
+        with programs.can_socket() as bus:
             start = time.monotonic()
             for number, frames in enumerate(self._cycles):
                 while (wait := start + number * programs.CYCLE_S - time.monotonic()) > 0:
