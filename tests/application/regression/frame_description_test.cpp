@@ -75,7 +75,7 @@ TEST(RequireAccepted, NamesWhatIsRefused) {
         sil::require_accepted(answer);
         ADD_FAILURE() << "was accepted";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "warning_on is too high");
+        EXPECT_STREQ(error.what(), "the component refuses its parameter warning_on: is too high");
     }
 }
 
