@@ -125,7 +125,9 @@ class Board:
     def _demand(self, request):
         self.qtest.sendall(request.encode("ascii") + b"\n")
         answer = self.answers.readline().split()
-        if not answer or answer[0] != "OK":
+        if not answer:
+            raise ConnectionError(f"QEMU ended with {self.emulator.wait()}: {self.messages.read_text(errors='replace')}")
+        if answer[0] != "OK":
             raise ConnectionError(f"QEMU answers {answer} to {request}")
         return answer
 
