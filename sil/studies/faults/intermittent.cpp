@@ -47,6 +47,12 @@ std::vector<Fault> all_bursts() {
         const std::vector<Fault> faults = faults_of(signal);
         all.insert(all.end(), faults.begin(), faults.end());
     }
+    for (const std::vector<Fault>& faults : {mass_faults(), coupled_faults()}) {
+        for (const Fault& fault : faults) {
+            const std::vector<Fault> signs = in_each_sign(fault);
+            all.insert(all.end(), signs.begin(), signs.end());
+        }
+    }
     return all;
 }
 
