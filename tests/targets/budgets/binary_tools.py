@@ -65,18 +65,27 @@ def plain_name(name):
     return name.replace("(anonymous namespace)::", "").split("(", 1)[0].split(" [clone", 1)[0]
 
 
-def inline_frames(path, addresses):
-    """For every address the functions that it is in, the innermost first: those inlined and the one around them."""
+def inline_places(path, addresses):
+    """For every address the functions that it is in with file and line, the innermost first: those inlined and the one
+    around them."""
     text = "\n".join(f"{address:#x}" for address in addresses)
-    address, frames, is_name = None, [], True
+    address, places, name = None, [], None
     for line in run("addr2line", "-a", "-i", "-f", "-C", "-e", path, stdin=text).splitlines():
         if line.startswith("0x"):
             if address is not None:
-                yield address, frames
-            address, frames, is_name = int(line, 16), [], True
-            continue
-        if is_name:
-            frames.append(plain_name(line))
-        is_name = not is_name
+                yield address, places
+            address, places, name = int(line, 16), [], None
+        elif name is None:
+            name = plain_name(line)
+        else:
+            file, _, number = line.split(" ", 1)[0].rpartition(":")
+            places.append((name, file, int(number) if number.isdigit() else 0))
+            name = None
     if address is not None:
-        yield address, frames
+        yield address, places
+
+
+def inline_frames(path, addresses):
+    """The names of inline_places alone."""
+    for address, places in inline_places(path, addresses):
+        yield address, [name for name, _, _ in places]

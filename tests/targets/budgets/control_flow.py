@@ -1,0 +1,233 @@
+"""Control flow of a function in a linked image, from its disassembly: blocks, ways between them, calls, returns.
+
+Only what an Arm compiler writes is known. An instruction that changes the program counter in another way is refused, so
+that no way is overlooked.
+"""
+
+import dataclasses
+import functools
+import re
+
+import binary_tools
+import loop_count
+
+_CONDITIONS = "eq|ne|cs|hs|cc|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
+_CONDITION = re.compile(rf"({_CONDITIONS})(?:\.[nw])?$")
+_BRANCH = re.compile(rf"(bx|blx|bl|b)({_CONDITIONS})?(?:\.[nw])?")
+_TABLE_LOAD = re.compile(rf"ldr({_CONDITIONS})?(?:\.w)? pc, \[(\w+), (\w+), lsl #2\]")
+_TABLE_BRANCH = re.compile(r"tb(b|h) \[pc, (\w+)(?:, lsl #1)?\]")
+_RETURN = re.compile(
+    rf"bx({_CONDITIONS})? lr|(pop\w*(\.w)? |ldm\w*(\.w)? sp!, )\{{.*\bpc\}}|ldr({_CONDITIONS})?(\.w)? pc, \[sp\], #\d+"
+)
+_WRITES_PC = re.compile(r"\S+ (pc\b|.*\{.*\bpc\b.*\})|tb[bh] .*|(svc|bkpt|udf|hvc|smc|eret|rfe\w*|wfi)\b.*")
+_LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f ]+?)\s*\t(\S+)(?:\t(.*))?$")
+
+
+class FlowError(Exception):
+    """Flow that has no bound that could be known; says where and why."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Instruction:
+    address: int
+    length: int
+    mnemonic: str
+    operands: str
+
+    @property
+    def text(self):
+        return f"{self.mnemonic} {self.operands}".strip()
+
+    @property
+    def after(self):
+        return self.address + self.length
+
+    def target(self):
+        """Address of a direct branch: the last operand."""
+        return int(self.operands.split(",")[-1].split()[0], 16)
+
+
+class Listing:
+    """Instructions of an image by their addresses, the constants between them, and its functions."""
+
+    def __init__(self, path):
+        self.path = path
+        self.instructions, self._data = {}, {}
+        for line in binary_tools.run("objdump", "--disassemble", path).splitlines():
+            match = _LINE.match(line)
+            if not match:
+                continue
+            address, coded = int(match[1], 16), match[2].split()
+            if match[3].startswith("."):
+                for word in coded:
+                    for byte in reversed(bytes.fromhex(word)):
+                        self._data[address] = byte
+                        address += 1
+                continue
+            operands = re.split(r"\s*[;@]", match[4] or "")[0].strip()
+            length = sum(map(len, coded)) // 2
+            self.instructions[address] = Instruction(address, length, match[3], re.sub(r"\s+", " ", operands))
+        self.functions = binary_tools.functions(path)
+        self.name_at = {address: name for name, address in sorted(self.functions.items(), reverse=True)}
+        self._function_at = None
+
+    def number(self, address, size):
+        try:
+            return int.from_bytes(bytes(self._data[address + i] for i in range(size)), "little")
+        except KeyError:
+            raise FlowError(f"no table of jumps is at {address:#x}") from None
+
+    def place(self, address):
+        """Function and offset of an address, for a reader."""
+        if self._function_at is None:
+            self._function_at = binary_tools.function_of_addresses(self.functions, self.instructions)
+        start = self._function_at.get(address, address)
+        return f"{self.plain_name(start)}+{address - start:#x} ({address:#x})"
+
+    @functools.cache
+    def plain_name(self, start):
+        """Name of the function that begins at an address."""
+        return binary_tools.plain_name(binary_tools.demangled([self.name_at.get(start, "?")])[0])
+
+
+@dataclasses.dataclass
+class Block:
+    """Instructions that are executed one after the other, the functions that they call, and where they lead."""
+
+    start: int
+    instructions: list
+    calls: list  # index of the calling instruction and address of the function
+    successors: list  # addresses of blocks
+    ends: bool  # the function may end after it
+    jumps_to: int | None  # function that is then executed in place of this one
+
+    @property
+    def last(self):
+        return self.instructions[-1]
+
+
+def _is_conditional(instruction):
+    return bool(_CONDITION.search(instruction.mnemonic))
+
+
+class _Decoder:
+    def __init__(self, listing, entry):
+        self._listing = listing
+        self._entry = entry
+        self._tables = []  # address of the comparison, jump
+
+    def refuse(self, instruction, why):
+        raise FlowError(f"{self._listing.place(instruction.address)}: {why}: {instruction.text}")
+
+    def effect(self, instruction, before):
+        """Ways on, function called, whether the function may end and function jumped to; `before` are the instructions
+        in front of it."""
+        text = instruction.text
+        branch = _BRANCH.fullmatch(instruction.mnemonic)
+        if _RETURN.fullmatch(text):
+            return ([instruction.after] if _is_conditional(instruction) else []), None, True, None
+        if branch and branch[1] == "b":
+            return self._jump(instruction, instruction.target(), branch[2] is not None)
+        if instruction.mnemonic in ("cbz", "cbnz"):
+            return self._jump(instruction, instruction.target(), True)
+        if branch and branch[1] in ("bl", "blx"):
+            if re.match(r"(r\d+|ip|lr|sl|fp|sb)$", instruction.operands):
+                self.refuse(instruction, "an indirect call")
+            return [instruction.after], instruction.target(), False, None
+        if branch:
+            self.refuse(instruction, "an indirect jump")
+        if _TABLE_LOAD.fullmatch(text) or _TABLE_BRANCH.fullmatch(text):
+            return self._table(instruction, before), None, False, None
+        if _WRITES_PC.fullmatch(text):
+            self.refuse(instruction, "a jump that is not known")
+        return [instruction.after], None, False, None
+
+    def _jump(self, instruction, target, conditional):
+        on = [instruction.after] if conditional else []
+        if target in self._listing.name_at and target != self._entry and ".cold" not in self._listing.name_at[target]:
+            return on, None, True, target
+        return [target, *on], None, False, None
+
+    def _table(self, instruction, before):
+        """Targets of a jump by a table, whose length is that of the comparison in front of it."""
+        load = _TABLE_LOAD.fullmatch(instruction.text)
+        index = load[3] if load else _TABLE_BRANCH.fullmatch(instruction.text)[2]
+        entries = self._entries(instruction, index, before, load and load[1])
+        if load:
+            base = self._base(instruction, load[2], before)
+            targets = {self._listing.number(base + 4 * i, 4) & ~1 for i in range(entries)}
+            return sorted(targets | ({instruction.after} if load[1] else set()))
+        size = 1 if instruction.mnemonic == "tbb" else 2
+        return sorted({instruction.after + 2 * self._listing.number(instruction.after + size * i, size) for i in range(entries)})
+
+    def _entries(self, instruction, index, before, condition):
+        """Entries of a table, by `cmp index, #last` and, after it, a branch or a condition that keeps what is higher away."""
+        is_guarded = condition == "ls"
+        for earlier in reversed(before):
+            match = re.fullmatch(rf"cmp(?:\.w)? {index}, #(\d+)", earlier.text)
+            if match and is_guarded:
+                self._tables.append((earlier.address, instruction))
+                return int(match[1]) + 1
+            if match or index in loop_count.changed_registers(earlier):
+                break
+            is_guarded = is_guarded or re.fullmatch(r"bhi(?:\.[nw])?", earlier.mnemonic) is not None
+        self.refuse(instruction, "no comparison bounds the index of a table of jumps")
+
+    def _base(self, instruction, register, before):
+        if register == "pc":
+            return instruction.address + 8  # only Arm's instructions, not Thumb's, know this form
+        for earlier in reversed(before):
+            match = re.fullmatch(rf"(?:add|adr)(?:\.w)? {register}, pc, #(\d+)", earlier.text)
+            if match:
+                return (earlier.address & ~3) + 4 + int(match[1])
+            if register in loop_count.changed_registers(earlier):
+                break
+        self.refuse(instruction, "the table of jumps is at no known place")
+
+    def check_tables(self, effects):
+        """No way may lead past the comparison that bounds a table's index."""
+        entered = {way for address, (ways, *_) in effects.items() for way in ways if way != self._after(address)}
+        for compared, jump in self._tables:
+            if any(compared < way <= jump.address for way in entered):
+                self.refuse(jump, "a way leads past the comparison that bounds a table of jumps")
+
+    def _after(self, address):
+        return self._listing.instructions[address].after
+
+
+def blocks_of(listing, entry):
+    """Blocks of the function that begins at `entry`, by their addresses."""
+    decoder = _Decoder(listing, entry)
+    effects, leaders, open_ways = {}, {entry}, [(entry, ())]
+    while open_ways:
+        address, before = open_ways.pop()
+        while address not in effects:
+            if address not in listing.instructions:
+                raise FlowError(f"{listing.place(entry)} leads to {address:#x}, which is no instruction")
+            instruction = listing.instructions[address]
+            effects[address] = ways, _, ends, _ = decoder.effect(instruction, before)
+            before = (*before[-7:], instruction)
+            if ways != [instruction.after] or ends:
+                leaders.update(ways)
+                open_ways += [(way, before) for way in ways]
+                break
+            if instruction.after in listing.name_at:
+                raise FlowError(f"{listing.place(address)} runs on into another function: {instruction.text}")
+            address = instruction.after
+    decoder.check_tables(effects)
+    return {start: _block(listing, start, effects, leaders) for start in leaders}
+
+
+def _block(listing, start, effects, leaders):
+    block = Block(start, [], [], [], False, None)
+    address = start
+    while True:
+        ways, called, ends, jumped = effects[address]
+        instruction = listing.instructions[address]
+        if called is not None:
+            block.calls.append((len(block.instructions), called))
+        block.instructions.append(instruction)
+        if ways != [instruction.after] or ends or instruction.after in leaders:
+            block.successors, block.ends, block.jumps_to = sorted(set(ways)), ends, jumped
+            return block
+        address = instruction.after
