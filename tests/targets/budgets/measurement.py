@@ -14,6 +14,8 @@ import image_size
 import image_symbols
 import instruction_trace
 import library_stack
+import loop_watch
+import path_bound
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parents[2]
@@ -34,6 +36,7 @@ CYCLE = "rsi::application::RolloverEcu::step"
 # The same with XCP and diagnosis linked and not connected; code executed only in a cycle in which a trouble code
 # changes or the trouble memory is stored.
 CYCLE_WITH_ACCESSES = "budgets::EcuWithAccesses::cycle"
+RESET = "_ZN3rsi9Component5resetERK14rsi_parameters"
 EVENTS = ["rsi::diagnosis::TroubleMemory::take_change", "rsi::diagnosis::KeptData::store"]
 ECU_LIBRARIES = ("librsi.a", "librsi_application.a")
 ACCESS_LIBRARIES = {
@@ -81,6 +84,15 @@ def floor_operations():
     raise BudgetError("budgets_floor_test no longer prints its count of operations")
 
 
+def loop_bounds():
+    return path_bound.LoopTable((HERE / "loop_bounds.toml").read_text(), PROJECT)
+
+
+def unused_bounds(measurements):
+    """Bounds of loops that are in no image."""
+    return loop_bounds().unused(set().union(*(m.used_bounds for m in measurements)))
+
+
 class Figures:
     """Least, mean and most of some counts."""
 
@@ -113,6 +125,12 @@ def check_trace(where, counts, calls):
             )
 
 
+def check_bound(where, most, bound):
+    """A call must not execute more instructions than the longest path has."""
+    if most > bound:
+        raise BudgetError(f"{where} took {most} instructions, and its longest path has {bound}")
+
+
 def check_stack(where, painted, bound):
     """A call must not use more stack than its bound, nor so little that the two cannot be of the same program."""
     if not 0.5 * bound <= painted <= bound:
@@ -128,6 +146,7 @@ class Measurement:
         self._folder = PROJECT / "build" / target
         self._scratch = RECORDINGS / target
         self._scratch.mkdir(parents=True, exist_ok=True)
+        self.findings = []
 
     def take(self):
         self.steps = self._drives("steps", traced=True)
@@ -140,6 +159,7 @@ class Measurement:
         self._access_memory()
         self._contents()
         self._exported()
+        self._check_bounds()
         return self
 
     # Counts.
@@ -162,7 +182,7 @@ class Measurement:
             raise BudgetError(f"{ticks} ticks on {self.target} are no whole number of instructions")
         return count
 
-    def _trace(self, program, roots, names, *arguments):
+    def _trace(self, program, roots, names, *arguments, watch=instruction_trace.NoWatch()):
         """The calls of the functions `roots` in a run of the program, with what is within `names`."""
         log = self._scratch / f"{program}.trace"
         elf = self._folder / f"targets/{program}.elf"
@@ -172,7 +192,7 @@ class Measurement:
         self._run(program, *arguments, trace=log.name)
         try:
             with open(log, encoding="ascii", errors="replace") as lines:
-                return instruction_trace.read(lines, known, roots, self._facts["processor"])
+                return instruction_trace.read(lines, known, roots, self._facts["processor"], watch)
         finally:
             log.unlink()
 
@@ -182,7 +202,7 @@ class Measurement:
         words = self._words("counts.bin")
         calls = None
         if traced:
-            calls = self._trace("steps", ["rsi_step"], functions_of("step"), path, "traced.bin", "trace")
+            calls = self._traced_steps(path)
         drives, at, step = {}, 1, 0
         for drive in json.loads((RECORDINGS / f"{recording}.json").read_text()):
             steps = drive["steps"]
@@ -195,6 +215,29 @@ class Measurement:
             drives[drive["estimator"], drive["name"]] = Steps(counts, part)
             at, step = at + steps + 1, step + steps
         return drives
+
+    def _traced_steps(self, path):
+        """The calls of rsi_step, with the bounds by the longest path, which what is executed must keep to."""
+        bounds = loop_bounds()
+        image = path_bound.Image(self._folder / "targets/steps.elf", bounds, PROJECT)
+        self.step_bound, self.init_bound, self.reset_bound = map(image.bound, ("rsi_step", "rsi_init", RESET))
+        watch = loop_watch.Watch(image.loops, image.ways())
+        calls = self._trace(
+            "steps", ["rsi_step", "rsi_init"], functions_of("step"), path, "traced.bin", "trace", watch=watch
+        )
+        self.findings += [f"{problem} ({self.target})" for problem in image.problems.values()]
+        self.findings += [f"{problem} ({self.target})" for problem in (*bounds.problems, *watch.problems(image.place))]
+        self.used_bounds = bounds.used
+        executed = {header: turns for header, turns in watch.most.items() if turns}
+        self.step_bound_as_turned = image.bound_with("rsi_step", executed)
+        self.init_most = max(call.instructions for call in calls if call.root == "rsi_init")
+        return [call for call in calls if call.root == "rsi_step"]
+
+    def _check_bounds(self):
+        for steps in (*self.steps.values(), *self.search.values()):
+            check_bound(f"rsi_step on {self.target}", max(steps.counts), self.step_bound)
+        check_bound(f"rsi_init on {self.target}", self.init_most, self.init_bound)
+        check_bound(f"Component::reset on {self.target}", self.reset, self.reset_bound)
 
     def _least_squares(self):
         calls = self._trace("least_squares", ["update_firmware", "update_textbook"], [], "../regressions.bin")
@@ -260,7 +303,6 @@ class Measurement:
 
     def _contents(self):
         """Forbidden parts in an image."""
-        self.findings = []
         images = [self._folder / "targets/least_image.elf"]
         if self._facts["image"]:
             images.append(self._folder / self._facts["image"])

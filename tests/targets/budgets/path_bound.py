@@ -19,7 +19,7 @@ class FoundLoop:
     name: str
     code: str
     header: int
-    body: tuple  # first and last addresses of the blocks
+    body: frozenset  # addresses of its instructions
     times: int
     is_counted: bool
 
@@ -32,7 +32,7 @@ class LoopTable:
         entries = tomllib.loads(text)
         self.entries = entries.get("loop", [])
         self.arguments = entries.get("argument", {})
-        self._used = set()
+        self.used = set()  # numbers of entries
         self.problems = [problem for entry in self.entries for problem in self._contradiction(entry)]
 
     def _contradiction(self, entry):
@@ -46,12 +46,17 @@ class LoopTable:
         """Most turns of a loop, or None: by the function that it is in and its line of source."""
         for number, entry in enumerate(self.entries):
             if entry["function"] == name and entry["code"] == code:
-                self._used.add(number)
+                self.used.add(number)
                 return _most(entry, argument)
         return None
 
-    def unused(self):
-        return [f"{e['function']}: {e['code']}" for i, e in enumerate(self.entries) if i not in self._used]
+    def unused(self, used):
+        """Entries that no loop of any image needs; `used`: numbers of entries, of all images together."""
+        return [
+            f"loop_bounds.toml bounds `{entry['code']}` of {entry['function']}, but no loop needs that"
+            for number, entry in enumerate(self.entries)
+            if number not in used
+        ]
 
 
 def _most(entry, argument):
@@ -113,6 +118,7 @@ class Image:
         self._project = project
         self._flows = {}
         self._bounds = {}
+        self._turns = {}
         self.loops = {}  # by the address of the header
         self.problems = {}  # by the address of the loop
         self._places = {}
@@ -120,6 +126,27 @@ class Image:
     def bound(self, function):
         """Most instructions of a call of the function."""
         return self._bound(self._listing.functions[function], None, ())
+
+    def bound_with(self, function, turns):
+        """The same where no loop turns more often than in `turns`, by the address of its header."""
+        kept, self._bounds, self._turns = self._bounds, {}, turns
+        try:
+            return self.bound(function)
+        finally:
+            self._bounds, self._turns = kept, {}
+
+    def ways(self):
+        """Addresses that can be executed after each instruction of the functions that were bounded."""
+        after = {}
+        for flow, _, _ in self._flows.values():
+            for block in flow.blocks.values():
+                addresses = [i.address for i in block.instructions]
+                after.update((one, {other}) for one, other in zip(addresses, addresses[1:]))
+                after[block.last.address] = {*block.successors, block.jumps_to} - {None}
+        return after
+
+    def place(self, address):
+        return self._listing.place(address)
 
     def _bound(self, entry, argument, above):
         if entry in above:
@@ -130,7 +157,10 @@ class Image:
 
     def _of_paths(self, entry, argument, above):
         flow, found, values = self._flow(entry)
-        times = {loop.header: self._times(flow, found, i, values, argument) for i, loop in enumerate(found)}
+        times = {}
+        for i, loop in enumerate(found):
+            most = self._times(flow, found, i, values, argument)
+            times[loop.header] = min(most, self._turns.get(loop.header, most))
         cost, end_cost = {}, {}
         for address, block in flow.blocks.items():
             cost[address] = len(block.instructions)
@@ -177,7 +207,7 @@ class Image:
                 "with its reason to loop_bounds.toml"
             )
             times = 1
-        body = tuple((flow.blocks[a].start, flow.blocks[a].last.address) for a in loop.body)
+        body = frozenset(i.address for a in loop.body for i in flow.blocks[a].instructions)
         before = self.loops.get(loop.header)
         most = max(times, before.times) if before else times
         self.loops[loop.header] = FoundLoop(name, code, loop.header, body, most, is_counted)

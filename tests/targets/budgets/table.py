@@ -93,7 +93,9 @@ def _instructions(table, measurements, operations):
         {target: [figures[3] / figures[1]] for target, figures in default.items()},
         "step_most_over_mean",
     )
+    _bounds_of_step(table, measurements, default)
     table.row("Component::reset(), in place of init within a cycle", {m.target: [m.reset] for m in measurements})
+    table.row("· bound by its longest path", {m.target: [m.reset_bound] for m in measurements}, "reset_bound")
     table.row(
         "the reset over the most expensive step",
         {m.target: [m.reset / default[m.target][3]] for m in measurements},
@@ -107,6 +109,25 @@ def _instructions(table, measurements, operations):
     table.row("step, published estimator", published)
     _stages(table, measurements, "published")
     _update(table, measurements, operations, published)
+
+
+def _bounds_of_step(table, measurements, default):
+    """Upper bounds by path analysis, of either estimator."""
+    table.row("bound by the longest path, either estimator", {m.target: [m.step_bound] for m in measurements}, "step_bound")
+    table.row(
+        "· over the most expensive step that was found",
+        {m.target: [m.step_bound / default[m.target][3]] for m in measurements},
+        "step_bound_over_most",
+    )
+    table.row(
+        "· with no more turns of each loop than were traced", {m.target: [m.step_bound_as_turned] for m in measurements}
+    )
+
+
+def _init(table, measurements):
+    table.heading("Instructions of rsi_init()")
+    table.row("init", {m.target: [m.init_most] for m in measurements}, "init_most")
+    table.row("bound by the longest path", {m.target: [m.init_bound] for m in measurements}, "init_bound")
 
 
 def _stages(table, measurements, estimator):
@@ -227,6 +248,7 @@ def make(measurements, operations, held_to):
     """The table of both targets."""
     table = Table(held_to)
     _instructions(table, measurements, operations)
+    _init(table, measurements)
     _cycles(table, measurements)
     _memory(table, measurements)
     _access_memory(table, measurements)
