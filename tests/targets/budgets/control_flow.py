@@ -20,6 +20,7 @@ _RETURN = re.compile(
     rf"bx({_CONDITIONS})? lr|(pop\w*(\.w)? |ldm\w*(\.w)? sp!, )\{{.*\bpc\}}|ldr({_CONDITIONS})?(\.w)? pc, \[sp\], #\d+"
 )
 _WRITES_PC = re.compile(r"\S+ (pc\b|.*\{.*\bpc\b.*\})|tb[bh] .*|(svc|bkpt|udf|hvc|smc|eret|rfe\w*|wfi)\b.*")
+_LITERAL = re.compile(r"[;@] \(?([0-9a-f]+) <")
 _LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f ]+?)\s*\t(\S+)(?:\t(.*))?$")
 
 
@@ -33,6 +34,7 @@ class Instruction:
     length: int
     mnemonic: str
     operands: str
+    constant: int | None  # what it loads from a constant place
 
     @property
     def text(self):
@@ -50,9 +52,11 @@ class Instruction:
 class Listing:
     """Instructions of an image by their addresses, the constants between them, and its functions."""
 
-    def __init__(self, path):
+    def __init__(self, path, targets_of=lambda address: None):
         self.path = path
+        self.targets_of = targets_of  # functions that an instruction may call through a pointer, or None
         self.instructions, self._data = {}, {}
+        parts = []
         for line in binary_tools.run("objdump", "--disassemble", path).splitlines():
             match = _LINE.match(line)
             if not match:
@@ -64,12 +68,18 @@ class Listing:
                         self._data[address] = byte
                         address += 1
                 continue
-            operands = re.split(r"\s*[;@]", match[4] or "")[0].strip()
-            length = sum(map(len, coded)) // 2
-            self.instructions[address] = Instruction(address, length, match[3], re.sub(r"\s+", " ", operands))
+            parts.append((address, sum(map(len, coded)) // 2, match[3], match[4] or ""))
+        for address, length, mnemonic, rest in parts:
+            operands = re.sub(r"\s+", " ", re.split(r"\s*[;@]", rest)[0].strip())
+            constant = self._loaded(rest) if mnemonic in ("ldr", "ldr.w", "ldr.n") and "[pc, #" in operands else None
+            self.instructions[address] = Instruction(address, length, mnemonic, operands, constant)
         self.functions = binary_tools.functions(path)
         self.name_at = {address: name for name, address in sorted(self.functions.items(), reverse=True)}
         self._function_at = None
+
+    def _loaded(self, operands):
+        place = _LITERAL.search(operands)
+        return self.number(int(place[1], 16), 4) if place and int(place[1], 16) in self._data else None
 
     def number(self, address, size):
         try:
@@ -87,7 +97,7 @@ class Listing:
     @functools.cache
     def plain_name(self, start):
         """Name of the function that begins at an address."""
-        return binary_tools.plain_name(binary_tools.demangled([self.name_at.get(start, "?")])[0])
+        return binary_tools.short_name(binary_tools.run("c++filt", self.name_at.get(start, "?")).strip())
 
 
 @dataclasses.dataclass
@@ -96,10 +106,10 @@ class Block:
 
     start: int
     instructions: list
-    calls: list  # index of the calling instruction and address of the function
+    calls: list  # index of the calling instruction, addresses of the functions that it may call
     successors: list  # addresses of blocks
     ends: bool  # the function may end after it
-    jumps_to: int | None  # function that is then executed in place of this one
+    jumps_to: tuple  # functions that may be executed in place of what comes after it
 
     @property
     def last(self):
@@ -120,33 +130,41 @@ class _Decoder:
         raise FlowError(f"{self._listing.place(instruction.address)}: {why}: {instruction.text}")
 
     def effect(self, instruction, before):
-        """Ways on, function called, whether the function may end and function jumped to; `before` are the instructions
-        in front of it."""
+        """Ways on, functions that it may call, whether the function may end, and functions that it may jump to; `before`
+        are the instructions in front of it."""
         text = instruction.text
         branch = _BRANCH.fullmatch(instruction.mnemonic)
         if _RETURN.fullmatch(text):
-            return ([instruction.after] if _is_conditional(instruction) else []), None, True, None
+            return ([instruction.after] if _is_conditional(instruction) else []), (), True, ()
         if branch and branch[1] == "b":
             return self._jump(instruction, instruction.target(), branch[2] is not None)
         if instruction.mnemonic in ("cbz", "cbnz"):
             return self._jump(instruction, instruction.target(), True)
         if branch and branch[1] in ("bl", "blx"):
-            if re.match(r"(r\d+|ip|lr|sl|fp|sb)$", instruction.operands):
-                self.refuse(instruction, "an indirect call")
-            return [instruction.after], instruction.target(), False, None
+            if re.match(r"(r\d+|ip|lr|sl|fp)$", instruction.operands):
+                return [instruction.after], self._through(instruction, "an indirect call"), False, ()
+            return [instruction.after], (instruction.target(),), False, ()
         if branch:
-            self.refuse(instruction, "an indirect jump")
+            on = [instruction.after] if branch[2] else []
+            return on, (), True, self._through(instruction, "an indirect jump")
         if _TABLE_LOAD.fullmatch(text) or _TABLE_BRANCH.fullmatch(text):
-            return self._table(instruction, before), None, False, None
+            return self._table(instruction, before), (), False, ()
         if _WRITES_PC.fullmatch(text):
             self.refuse(instruction, "a jump that is not known")
-        return [instruction.after], None, False, None
+        return [instruction.after], (), False, ()
+
+    def _through(self, instruction, what):
+        """Functions behind a pointer, if they are known."""
+        targets = self._listing.targets_of(instruction.address)
+        if targets is None:
+            self.refuse(instruction, what)
+        return targets
 
     def _jump(self, instruction, target, conditional):
         on = [instruction.after] if conditional else []
         if target in self._listing.name_at and target != self._entry and ".cold" not in self._listing.name_at[target]:
-            return on, None, True, target
-        return [target, *on], None, False, None
+            return on, (), True, (target,)
+        return [target, *on], (), False, ()
 
     def _table(self, instruction, before):
         """Targets of a jump by a table, whose length is that of the comparison in front of it."""
@@ -219,12 +237,12 @@ def blocks_of(listing, entry):
 
 
 def _block(listing, start, effects, leaders):
-    block = Block(start, [], [], [], False, None)
+    block = Block(start, [], [], [], False, ())
     address = start
     while True:
         ways, called, ends, jumped = effects[address]
         instruction = listing.instructions[address]
-        if called is not None:
+        if called:
             block.calls.append((len(block.instructions), called))
         block.instructions.append(instruction)
         if ways != [instruction.after] or ends or instruction.after in leaders:

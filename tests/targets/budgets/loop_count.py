@@ -33,7 +33,7 @@ def changed_registers(instruction):
     if _READS.match(mnemonic) and not mnemonic.startswith(_READS_BUT):
         return changed
     if mnemonic.startswith(("ldm", "pop")):
-        return changed | set(mentioned)
+        return changed | set(re.findall(rf"\b{_REGISTER}\b", operands.partition("{")[2]))
     return changed | set(mentioned[: 2 if _TWO.match(mnemonic) else 1])
 
 
@@ -47,7 +47,7 @@ class Values:
 
     def __init__(self, flow):
         self._blocks = flow.blocks
-        self._entry = flow.entry
+        self.entry = flow.entry
         self._nearest = flow.nearest
         self._predecessors = flow.predecessors
         self._changes = {a: set().union(*map(changed_registers, b.instructions)) for a, b in flow.blocks.items()}
@@ -62,7 +62,7 @@ class Values:
                 instruction = self._blocks[address].instructions[position]
                 if register in changed_registers(instruction):
                     return self._result(instruction, register, address, position)
-            if address == self._entry:
+            if address == self.entry:
                 return (("entry", register), 0)
             above = self._nearest[address]
             if any(register in self._changes[block] for block in self._between(above, address)):
@@ -89,6 +89,8 @@ class Values:
             return name, number + step
         if not parts or parts[0] != register or changed_registers(instruction) != {register}:
             return unknown
+        if instruction.constant is not None:
+            return None, instruction.constant
         if mnemonic in ("mov", "movs", "movw") and len(parts) == 2:
             number = _number(parts[1])
             if number is not None:

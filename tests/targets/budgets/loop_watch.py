@@ -3,15 +3,15 @@ turns more often than its bound."""
 
 
 class Watch:
-    """Takes the blocks that instruction_trace reads, function by function; `loops` and `ways` are those of the image."""
+    """Takes the blocks that instruction_trace reads, function by function, and compares them with a path_bound.Image."""
 
-    def __init__(self, loops, ways):
-        self._loops = loops
-        self._ways = ways
+    def __init__(self, image):
+        self._image = image
+        self._loops, self._ways, self._calls = image.loops, image.ways(), image.calls()
         self._last = []  # address of the last instruction, of every function that has not returned
         self._turns = {}
         self._seen = {}  # what a block does to the loops, by the instruction before it and the block
-        self.most = dict.fromkeys(loops, 0)  # executions of a header each time that its loop was entered
+        self.most = dict.fromkeys(self._loops, 0)  # executions of a header each time that its loop was entered
         self.unknown = set()  # pairs of instructions that followed each other, of which that was not known
 
     def enter(self):
@@ -22,8 +22,11 @@ class Watch:
 
     def executed(self, addresses):
         before = self._last[-1]
-        key = before, addresses[0], len(addresses)
+        caller = self._last[-2] if before is None and len(self._last) > 1 else None
+        key = before, caller, addresses[0], len(addresses)
         if key not in self._seen:
+            if caller is not None and addresses[0] not in self._calls.get(caller, ()):
+                self.unknown.add((caller, addresses[0]))
             self._seen[key] = self._effects(before, addresses)
         for header, is_entry in self._seen[key]:
             turns = 1 if is_entry else self._turns[header] + 1
@@ -41,12 +44,17 @@ class Watch:
                 effects.append((address, earlier not in self._loops[address].body))
         return effects
 
-    def problems(self, place):
-        """Contradictions, each as a sentence; `place` names an address."""
+    def executed_turns(self):
+        """Most turns of every loop that was executed."""
+        return {header: turns for header, turns in self.most.items() if turns}
+
+    def problems(self):
+        """Contradictions, each as a sentence."""
+        place = self._image.place
         for header, turns in self.most.items():
             loop = self._loops[header]
             if turns > loop.times:
                 yield f"{place(header)}: the loop `{loop.code}` of {loop.name} turned {turns} times, its bound is {loop.times}"
         for earlier, address in sorted(self.unknown, key=str):
-            after = f"after {place(earlier)}" if earlier is not None else "by a call"
+            after = f"after {place(earlier)}" if earlier is not None else "first"
             yield f"{place(address)} was executed {after}, which the analysis of paths does not know"

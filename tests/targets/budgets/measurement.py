@@ -146,6 +146,7 @@ class Measurement:
         self._folder = PROJECT / "build" / target
         self._scratch = RECORDINGS / target
         self._scratch.mkdir(parents=True, exist_ok=True)
+        self._loop_table = loop_bounds()
         self.findings = []
 
     def take(self):
@@ -153,7 +154,7 @@ class Measurement:
         self.search = self._drives("search", traced=False)
         self._least_squares()
         logs = (*MANOEUVRES, FAULTY_LOG)
-        self.cycles = {log: self._cycle(log, "replay_frames", CYCLE, functions_of("cycle")) for log in logs}
+        self._cycles(logs)
         self.access_cycles = {log: self._cycle(log, "replay_with_accesses", CYCLE_WITH_ACCESSES, EVENTS) for log in logs}
         self._memory()
         self._access_memory()
@@ -218,24 +219,38 @@ class Measurement:
 
     def _traced_steps(self, path):
         """The calls of rsi_step, with the bounds by the longest path, which what is executed must keep to."""
-        bounds = loop_bounds()
-        image = path_bound.Image(self._folder / "targets/steps.elf", bounds, PROJECT)
+        image = self._image("steps")
         self.step_bound, self.init_bound, self.reset_bound = map(image.bound, ("rsi_step", "rsi_init", RESET))
-        watch = loop_watch.Watch(image.loops, image.ways())
-        calls = self._trace(
-            "steps", ["rsi_step", "rsi_init"], functions_of("step"), path, "traced.bin", "trace", watch=watch
-        )
-        self.findings += [f"{problem} ({self.target})" for problem in image.problems.values()]
-        self.findings += [f"{problem} ({self.target})" for problem in (*bounds.problems, *watch.problems(image.place))]
-        self.used_bounds = bounds.used
-        executed = {header: turns for header, turns in watch.most.items() if turns}
-        self.step_bound_as_turned = image.bound_with("rsi_step", executed)
+        watch = loop_watch.Watch(image)
+        roots = ["rsi_step", "rsi_init"]
+        calls = self._trace("steps", roots, functions_of("step"), path, "traced.bin", "trace", watch=watch)
+        self._judge_paths(image, watch)
+        self.step_bound_as_turned = image.bound_with("rsi_step", watch.executed_turns())
         self.init_most = max(call.instructions for call in calls if call.root == "rsi_init")
         return [call for call in calls if call.root == "rsi_step"]
 
+    def _cycles(self, logs):
+        image = self._image("replay_frames")
+        root = self._symbol("replay_frames", CYCLE)
+        self.cycle_bound = image.bound(root)
+        watch = loop_watch.Watch(image)
+        self.cycles = {log: self._cycle(log, "replay_frames", CYCLE, functions_of("cycle"), watch) for log in logs}
+        self._judge_paths(image, watch)
+        self.cycle_bound_as_turned = image.bound_with(root, watch.executed_turns())
+
+    def _image(self, program):
+        return path_bound.Image(self._folder / f"targets/{program}.elf", self._loop_table, PROJECT)
+
+    def _judge_paths(self, image, watch):
+        self.findings += [f"{problem} ({self.target})" for problem in (*image.problems.values(), *watch.problems())]
+
     def _check_bounds(self):
+        self.findings += self._loop_table.problems
+        self.used_bounds = self._loop_table.used
         for steps in (*self.steps.values(), *self.search.values()):
             check_bound(f"rsi_step on {self.target}", max(steps.counts), self.step_bound)
+        for steps in self.cycles.values():
+            check_bound(f"RolloverEcu::step on {self.target}", max(steps.counts), self.cycle_bound)
         check_bound(f"rsi_init on {self.target}", self.init_most, self.init_bound)
         check_bound(f"Component::reset on {self.target}", self.reset, self.reset_bound)
 
@@ -246,13 +261,16 @@ class Measurement:
             for name in ("update_firmware", "update_textbook")
         )
 
-    def _cycle(self, log, program, root_name, names):
-        """Cycles of the whole ECU on recorded sensor frames."""
+    def _symbol(self, program, name):
         symbols = binary_tools.functions(self._folder / f"targets/{program}.elf")
-        root = next(s for s, name in zip(symbols, binary_tools.demangled(symbols)) if name == root_name)
+        return next(symbol for symbol, its_name in zip(symbols, binary_tools.demangled(symbols)) if its_name == name)
+
+    def _cycle(self, log, program, root_name, names, watch=instruction_trace.NoWatch()):
+        """Cycles of the whole ECU on recorded sensor frames."""
+        root = self._symbol(program, root_name)
         files = "../cycle.parameters", "sensors.log", "ecu.log"
         shutil.copyfile(LOGS / f"{log}.sensors.log", self._scratch / files[1])
-        calls = self._trace(program, [root], names, *files)
+        calls = self._trace(program, [root], names, *files, watch=watch)
         if (self._scratch / files[2]).read_bytes() != (LOGS / f"{log}.ecu.log").read_bytes():
             raise BudgetError(f"{self.target} answers {log} otherwise than recorded; see tests/run targets")
         return Steps([call.instructions for call in calls], calls)

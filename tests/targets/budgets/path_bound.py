@@ -25,36 +25,48 @@ class FoundLoop:
 
 
 class LoopTable:
-    """Bounds of the loops whose instructions do not tell, from loop_bounds.toml."""
+    """loop_bounds.toml: bounds of the loops whose instructions do not tell them, and what else they rest on."""
 
     def __init__(self, text, project):
         self._project = project
-        entries = tomllib.loads(text)
-        self.entries = entries.get("loop", [])
-        self.arguments = entries.get("argument", {})
+        tables = tomllib.loads(text)
+        self.arguments = tables.pop("argument", {})
+        self._entries = [(kind, entry) for kind, entries in tables.items() for entry in entries]
         self.used = set()  # numbers of entries
-        self.problems = [problem for entry in self.entries for problem in self._contradiction(entry)]
+        self.problems = [problem for _, entry in self._entries for problem in self._contradiction(entry)]
 
     def _contradiction(self, entry):
-        """The constant that an entry rests on must stand in the source with the entry's number."""
-        if "source" in entry:
-            text = (self._project / entry["source"]).read_text()
-            if entry["constant"] not in text:
-                yield f"the bound of {entry['function']} rests on `{entry['constant']}`, which is not in {entry['source']}"
+        """The constant that an entry rests on must stand in the source."""
+        if "source" in entry and entry["constant"] not in (self._project / entry["source"]).read_text():
+            yield f"the bound of {entry['function']} rests on `{entry['constant']}`, which is not in {entry['source']}"
 
-    def times(self, name, code, argument):
-        """Most turns of a loop, or None: by the function that it is in and its line of source."""
-        for number, entry in enumerate(self.entries):
-            if entry["function"] == name and entry["code"] == code:
+    def _find(self, kind, **wanted):
+        for number, (its_kind, entry) in enumerate(self._entries):
+            if its_kind == kind and all(entry[key] == value for key, value in wanted.items()):
                 self.used.add(number)
-                return _most(entry, argument)
+                return entry
         return None
 
+    def times(self, function, code, argument):
+        """Most turns of a loop, or None: by the function that it is in and its line of source."""
+        entry = self._find("loop", function=function, code=code)
+        return entry and _most(entry, argument)
+
+    def targets(self, function, code):
+        """Names of the functions that a call through a pointer may call, or None; by where it is, like a loop."""
+        entry = self._find("call", function=function, code=code)
+        return entry and entry["targets"]
+
+    def most(self, function, called):
+        """Most that the function calls a function of `arguments` with where that is no constant, or None."""
+        entry = self._find("most", function=function, called=called)
+        return entry and entry["most"]
+
     def unused(self, used):
-        """Entries that no loop of any image needs; `used`: numbers of entries, of all images together."""
+        """Entries that no image needs; `used`: those of all images together."""
         return [
-            f"loop_bounds.toml bounds `{entry['code']}` of {entry['function']}, but no loop needs that"
-            for number, entry in enumerate(self.entries)
+            f"loop_bounds.toml has a {kind} of {entry['function']} (`{entry.get('code', entry.get('called'))}`), which nothing needs"
+            for number, (kind, entry) in enumerate(self._entries)
             if number not in used
         ]
 
@@ -113,7 +125,7 @@ class Image:
     """Bounds of the functions of an image."""
 
     def __init__(self, path, table, project):
-        self._listing = control_flow.Listing(path)
+        self._listing = control_flow.Listing(path, self._targets_of)
         self._table = table
         self._project = project
         self._flows = {}
@@ -142,8 +154,13 @@ class Image:
             for block in flow.blocks.values():
                 addresses = [i.address for i in block.instructions]
                 after.update((one, {other}) for one, other in zip(addresses, addresses[1:]))
-                after[block.last.address] = {*block.successors, block.jumps_to} - {None}
+                after[block.last.address] = {*block.successors, *block.jumps_to}
         return after
+
+    def calls(self):
+        """Functions that each calling instruction may call."""
+        blocks = [block for flow, _, _ in self._flows.values() for block in flow.blocks.values()]
+        return {block.instructions[index].address: called for block in blocks for index, called in block.calls}
 
     def place(self, address):
         return self._listing.place(address)
@@ -165,15 +182,30 @@ class Image:
         for address, block in flow.blocks.items():
             cost[address] = len(block.instructions)
             for index, called in block.calls:
-                cost[address] += self._bound(called, self._argument(values, called, address, index), above)
-            end_cost[address] = cost[address]
-            if block.jumps_to is not None:
-                last = len(block.instructions) - 1
-                end_cost[address] += self._bound(block.jumps_to, self._argument(values, block.jumps_to, address, last), above)
+                cost[address] += self._dearest(called, values, address, index, above)
+            last = len(block.instructions) - 1
+            end_cost[address] = cost[address] + self._dearest(block.jumps_to, values, address, last, above)
         longest = _longest(flow, found, times, cost, end_cost)
         if longest == _NEVER:
             raise control_flow.FlowError(f"{self._listing.place(entry)} never ends")
         return longest
+
+    def _dearest(self, functions, values, address, index, above):
+        """Most instructions of those that the instruction `index` of a block may call; none for no function."""
+        bounds = [self._bound(f, self._argument(values, f, address, index), above) for f in functions]
+        return max(bounds, default=0)
+
+    def _targets_of(self, address):
+        """Functions that loop_bounds.toml gives for a call through a pointer."""
+        name, code = self._place([address])
+        names = self._table.targets(name, code)
+        if names is None:
+            return None
+        found = {self._listing.plain_name(start): start for start in self._listing.name_at}
+        missing = [target for target in names if target not in found]
+        if missing:
+            raise control_flow.FlowError(f"{self.place(address)} calls {missing[0]} by loop_bounds.toml, which is not in the image")
+        return tuple(found[target] for target in names)
 
     def _flow(self, entry):
         if entry not in self._flows:
@@ -183,19 +215,22 @@ class Image:
         return self._flows[entry]
 
     def _argument(self, values, called, address, index):
-        """The constant that a function of `arguments` is called with, or None."""
-        register = self._table.arguments.get(self._listing.plain_name(called))
+        """The most that a function of `arguments` is called with, or None."""
+        called_name = self._listing.plain_name(called)
+        register = self._table.arguments.get(called_name)
         if register is None:
             return None
         name, number = values.before(register, address, index)
-        return number if name is None else None
+        return number if name is None else self._table.most(self._listing.plain_name(values.entry), called_name)
 
     def _times(self, flow, found, index, values, argument):
         loop = found[index]
         inner = [other for other in found[:index] if other.header in loop.body]
         if loop.header not in self._places:
             nested = set().union(*(other.body for other in inner))
-            self._places[loop.header] = self._place(flow, loop, nested)
+            last = flow.blocks[max(loop.latches)].last.address
+            own = [i.address for a in sorted(loop.body - nested) for i in flow.blocks[a].instructions if i.address != last]
+            self._places[loop.header] = self._place([last, *own])
         name, code = self._places[loop.header]
         times = loop_count.times(flow, loop, inner, values)
         is_counted = times is not None
@@ -213,13 +248,12 @@ class Image:
         self.loops[loop.header] = FoundLoop(name, code, loop.header, body, most, is_counted)
         return times
 
-    def _place(self, flow, loop, nested):
-        """Function and line of source that a loop goes by, those of its last instruction: the innermost function that is
-        the project's, else the innermost; of its lines in the loop the one that begins a loop, if there is one."""
-        last = flow.blocks[max(loop.latches)].last.address
-        others = [i.address for a in sorted(loop.body - nested) for i in flow.blocks[a].instructions if i.address != last]
+    def _place(self, addresses):
+        """Function and line of source that a loop goes by, those of its last instruction, which comes first: the innermost
+        function that is the project's, else the innermost; of its lines in the loop the one that begins a loop, if there is
+        one."""
         name = place = None
-        for _, frames in binary_tools.inline_places(self._listing.path, [last, *others]):
+        for _, frames in binary_tools.inline_places(self._listing.path, addresses):
             function, file, line = next((frame for frame in frames if self._source(frame[1])), frames[0])
             source = self._source(file)
             code = source.read_text().splitlines()[line - 1].strip() if source else f"{file.rsplit('/', 1)[-1]}:{line}"

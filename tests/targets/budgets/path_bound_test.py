@@ -372,7 +372,7 @@ class LongestPath(Images):
     def test_an_entry_for_no_loop_is_refused(self):
         for image, table, _ in self.both(FIVE_TURNS):
             image.bound("nested")
-            self.assertEqual(table.unused(table.used), ["loop_bounds.toml bounds `bne 1b` of data_decides, but no loop needs that"])
+            self.assertEqual(table.unused(table.used), ["loop_bounds.toml has a loop of data_decides (`bne 1b`), which nothing needs"])
 
     def test_an_entry_for_a_loop_that_counts_to_a_constant_is_refused(self):
         for image, table, _ in self.both(FIVE_TURNS.replace("data_decides", "counted_down")):
@@ -396,14 +396,14 @@ class Executed(Images):
     def watched(self, function, *calls, entries=FIVE_TURNS):
         image, _ = self.image("thumb", entries)
         image.bound(function)
-        watch = loop_watch.Watch(image.loops, image.ways())
+        watch = loop_watch.Watch(image)
         addresses = sorted(image.ways())
         for blocks in calls:
             watch.enter()
             for numbers in blocks:
                 watch.executed([addresses[number] for number in numbers])
             watch.leave()
-        return list(watch.problems(image.place)), watch
+        return list(watch.problems()), watch
 
     def test_as_many_turns_as_the_bound_allows_are_quiet(self):
         problems, watch = self.watched("data_decides", [(0, 1)] * 5 + [(2,)], [(0, 1)] * 5 + [(2,)])
@@ -427,10 +427,10 @@ class Executed(Images):
     def test_code_that_is_not_known_is_found(self):
         image, _ = self.image("thumb")
         image.bound("either_side")
-        watch = loop_watch.Watch(image.loops, image.ways())
+        watch = loop_watch.Watch(image)
         watch.enter()
         watch.executed([0x10])
-        self.assertRegex(next(watch.problems(image.place)), r"0x10\) was executed by a call")
+        self.assertRegex(next(watch.problems()), r"0x10\) was executed first")
 
 
 if __name__ == "__main__":

@@ -157,6 +157,10 @@ def _cycles(table, measurements):
         return {m.target: _of_cycles(m, values) for m in measurements}
 
     table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
+    table.row("bound by the longest path, 64 frames received", {m.target: [m.cycle_bound] for m in measurements}, "cycle_bound")
+    table.row(
+        "· with no more turns of each loop than were traced", {m.target: [m.cycle_bound_as_turned] for m in measurements}
+    )
     _parts(table, "cycle", figures_of, "order")
     table.row(
         "more with XCP and diagnosis, not connected",
