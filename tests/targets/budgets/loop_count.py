@@ -3,15 +3,17 @@ in every turn and ends the loop at another value that is a constant apart."""
 
 import re
 
-_REGISTER = r"(?:r\d+|sl|fp|ip|sp|lr)"
+_REGISTER = r"(?:r\d+|sb|sl|fp|ip|sp|lr)"
+_CONDITIONS = "eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
+_CONDITION = re.compile(rf"({_CONDITIONS})(?:\.[nw])?$")
+_CALL = re.compile(rf"blx?(?:{_CONDITIONS})?")
 _CALLED = ("r0", "r1", "r2", "r3", "ip", "lr")  # what a called function may change
 _READS = re.compile(r"(str(?!ex)|stm|push|cmp|cmn|tst|teq|vcmp|vst|vpush|b|cb|nop|it|pld|dmb|dsb|isb)")
 _READS_BUT = ("bic", "bfc", "bfi")
 _TWO = re.compile(r"(ldrd|[us]mull|[us]mlal|vmov)")
 _ALL = re.compile(r"(mcr|mrc|cdp|ldc|stc|strex|swp|cps|msr)")
-_SETS_FLAGS = re.compile(r"cmp|cmn|tst|teq|vmrs|msr|blx?$|(?!v)\w*s$")
+_SETS_FLAGS = re.compile(rf"cmp|cmn|tst|teq|vmrs|msr|{_CALL.pattern}$|(?!v)\w*s$")
 _ON_EQUAL_OR_NOT = re.compile(r"b(eq|ne)(?:\.[nw])?")
-_CONDITION = re.compile(r"(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)(?:\.[nw])?$")
 
 
 def _base(mnemonic):
@@ -21,7 +23,7 @@ def _base(mnemonic):
 def changed_registers(instruction):
     """Core registers that the instruction may change: too many rather than too few."""
     mnemonic, operands = instruction.mnemonic, instruction.operands
-    if re.fullmatch(r"blx?", _base(mnemonic)):
+    if _CALL.fullmatch(_base(mnemonic)):
         return set(_CALLED)
     outside = re.sub(r"\[.*?\]", "", operands)
     mentioned = re.findall(rf"\b{_REGISTER}\b", outside)
@@ -29,7 +31,7 @@ def changed_registers(instruction):
     if mnemonic.startswith(("push", "pop", "vpush", "vpop")):
         changed.add("sp")
     if _ALL.match(mnemonic) or re.search(rf"{_REGISTER}-{_REGISTER}", outside):
-        return changed | set(mentioned) | {f"r{n}" for n in range(13)} | {"sl", "fp", "ip", "lr"}
+        return changed | set(mentioned) | {f"r{n}" for n in range(13)} | {"sb", "sl", "fp", "ip", "lr"}
     if _READS.match(mnemonic) and not mnemonic.startswith(_READS_BUT):
         return changed
     if mnemonic.startswith(("ldm", "pop")):

@@ -147,6 +147,7 @@ class Measurement:
         self._scratch = RECORDINGS / target
         self._scratch.mkdir(parents=True, exist_ok=True)
         self._loop_table = loop_bounds()
+        self.loops = {}  # bound, most turns that were traced and reason of each, by function and line of source
         self.findings = []
 
     def take(self):
@@ -242,6 +243,8 @@ class Measurement:
         return path_bound.Image(self._folder / f"targets/{program}.elf", self._loop_table, PROJECT)
 
     def _judge_paths(self, image, watch):
+        for header, loop in image.loops.items():
+            self.loops.setdefault((loop.name, loop.code), []).append((loop.times, watch.most[header], loop.reason))
         self.findings += [f"{problem} ({self.target})" for problem in (*image.problems.values(), *watch.problems())]
 
     def _check_bounds(self):

@@ -9,19 +9,20 @@ import control_flow
 import loop_count
 import loops
 
+COUNTED = "counted by its instructions"
 _NEVER = -1
 
 
 @dataclasses.dataclass
 class FoundLoop:
-    """A loop in an image: where it is, how often it may turn, and whether the instructions alone say so."""
+    """A loop in an image: where it is, and how often its header may be executed each time the loop is entered."""
 
-    name: str
-    code: str
+    name: str  # of its function
+    code: str  # its line of source
     header: int
     body: frozenset  # addresses of its instructions
     times: int
-    is_counted: bool
+    reason: str  # why it turns no more often
 
 
 class LoopTable:
@@ -36,7 +37,9 @@ class LoopTable:
         self.problems = [problem for _, entry in self._entries for problem in self._contradiction(entry)]
 
     def _contradiction(self, entry):
-        """The constant that an entry rests on must stand in the source."""
+        """An entry has a reason, and the constant that it rests on stands in the source."""
+        if not entry.get("reason"):
+            yield f"loop_bounds.toml gives no reason for {entry['function']}"
         if "source" in entry and entry["constant"] not in (self._project / entry["source"]).read_text():
             yield f"the bound of {entry['function']} rests on `{entry['constant']}`, which is not in {entry['source']}"
 
@@ -48,9 +51,10 @@ class LoopTable:
         return None
 
     def times(self, function, code, argument):
-        """Most turns of a loop, or None: by the function that it is in and its line of source."""
+        """Most turns of a loop and why, or None: by the function that it is in and its line of source."""
         entry = self._find("loop", function=function, code=code)
-        return entry and _most(entry, argument)
+        most = entry and _most(entry, argument)
+        return None if most is None else (most, entry["reason"])
 
     def targets(self, function, code):
         """Names of the functions that a call through a pointer may call, or None; by where it is, like a loop."""
@@ -137,7 +141,12 @@ class Image:
 
     def bound(self, function):
         """Most instructions of a call of the function."""
-        return self._bound(self._listing.functions[function], None, ())
+        return self._bound(self.address(function), None, ())
+
+    def address(self, function):
+        if function not in self._listing.functions:
+            raise control_flow.FlowError(f"{self._listing.path.name} has no function {function}")
+        return self._listing.functions[function]
 
     def bound_with(self, function, turns):
         """The same where no loop turns more often than in `turns`, by the address of its header."""
@@ -232,10 +241,9 @@ class Image:
             own = [i.address for a in sorted(loop.body - nested) for i in flow.blocks[a].instructions if i.address != last]
             self._places[loop.header] = self._place([last, *own])
         name, code = self._places[loop.header]
-        times = loop_count.times(flow, loop, inner, values)
-        is_counted = times is not None
-        if not is_counted:
-            times = self._table.times(name, code, argument)
+        times, reason = loop_count.times(flow, loop, inner, values), COUNTED
+        if times is None:
+            times, reason = self._table.times(name, code, argument) or (None, "")
         if times is None:
             self.problems[loop.header] = (
                 f"{self._listing.place(loop.header)}: a loop without a bound: function = {name!r}, code = {code!r}; add it "
@@ -245,7 +253,7 @@ class Image:
         body = frozenset(i.address for a in loop.body for i in flow.blocks[a].instructions)
         before = self.loops.get(loop.header)
         most = max(times, before.times) if before else times
-        self.loops[loop.header] = FoundLoop(name, code, loop.header, body, most, is_counted)
+        self.loops[loop.header] = FoundLoop(name, code, loop.header, body, most, reason)
         return times
 
     def _place(self, addresses):

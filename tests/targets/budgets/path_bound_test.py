@@ -123,6 +123,22 @@ begin copies  @ 1 + 1 + 1 + 13 + 1 + 1 + 9 + 1
     pop {r4, pc}
 finish copies
 
+begin to_a_literal  @ 2 + 4 * 3 + 1
+    ldr r3, =0x12345670
+    ldr r2, =0x12345680
+1:  ldr r0, [r3], #4
+    cmp r3, r2
+    bne 1b
+    bx lr
+    .ltorg
+finish to_a_literal
+
+begin copies_some
+    push {r4, lr}
+    bl copy
+    pop {r4, pc}
+finish copies_some
+
 begin data_decides
 1:  subs r0, r0, #1
     bne 1b
@@ -156,6 +172,17 @@ begin counter_is_lost
     pop {r4, pc}
 finish counter_is_lost
 
+begin counter_is_lost_at_times
+    push {r4, lr}
+    movs r3, #5
+1:  cmp r0, #0
+    it ne
+    blne counted_down
+    subs r3, r3, #1
+    bne 1b
+    pop {r4, pc}
+finish counter_is_lost_at_times
+
 begin by_pointer
     push {r4, lr}
     blx r0
@@ -163,6 +190,7 @@ begin by_pointer
 finish by_pointer
 
 begin anywhere
+    adds r1, r1, #1
     bx r0
 finish anywhere
 
@@ -277,6 +305,7 @@ EXPECTED = {
     "counted_down": 18,
     "tested_first": 1 + 5 * 2 + 4 * 2 + 1,
     "to_an_address": 16,
+    "to_a_literal": 2 + 4 * 3 + 1,
     "nested": 26,
     "left_from_within": 1 + 9 * 4 + 2 + 4,
     "calls": 2 + 3 * 21 + 1,
@@ -286,7 +315,7 @@ EXPECTED = {
 OWN_EXPECTED = {"thumb": {"conditional": 6, "table": 6}, "arm": {"conditional": 5, "table": 5}}
 REFUSED = {
     "by_pointer": r"by_pointer\+0x\d .*an indirect call: blx r0",
-    "anywhere": r"anywhere\+0x0 .*an indirect jump: bx r0",
+    "anywhere": r"anywhere\+0x\d .*an indirect jump: bx r0",
     "calls_itself": "recursion: calls_itself",
     "two_entries": r"two_entries\+0x\w+ .*leads back into the middle of a loop",
     "runs_on": r"runs_on\+0x0 .*runs on into another function",
@@ -302,6 +331,25 @@ function = "copy"
 code = "bne 1b"
 per = 1
 reason = "the argument"
+"""
+SOME = """
+[[most]]
+function = "copies_some"
+called = "copy"
+most = 3
+reason = "never more"
+"""
+POINTERS = """
+[[call]]
+function = "by_pointer"
+code = "blx r0"
+targets = ["either_side", "counted_down"]
+reason = "these two"
+[[call]]
+function = "anywhere"
+code = "bx r0"
+targets = []
+reason = "never"
 """
 FIVE_TURNS = """
 [[loop]]
@@ -358,16 +406,36 @@ class LongestPath(Images):
                 image.bound("forever")
 
     def test_a_loop_that_does_not_count_to_a_constant_needs_an_entry(self):
-        for function in ("data_decides", "grows_unevenly", "passes_its_end", "counter_is_lost", "copy"):
+        for function in ("data_decides", "grows_unevenly", "passes_its_end", "counter_is_lost", "counter_is_lost_at_times", "copy", "copies_some"):
             for image, _, _ in self.both():
                 image.bound(function)
                 (problem,) = image.problems.values()
-                self.assertRegex(problem, rf"{function}\+0x\w+ .*a loop without a bound: .*code = 'bne 1b'")
+                inner = function.replace("copies_some", "copy")
+                self.assertRegex(problem, rf"^{inner}\+0x\w+ .*a loop without a bound: .*code = 'bne 1b'")
 
     def test_an_entry_bounds_its_loop(self):
         for image, table, _ in self.both(FIVE_TURNS):
             self.assertEqual(image.bound("data_decides"), 5 * 2 + 1)
             self.assertEqual(list(image.problems.values()) + table.problems + table.unused(table.used), [])
+
+    def test_an_argument_that_is_no_constant_has_the_bound_of_its_entry(self):
+        for image, table, _ in self.both(COPY + SOME):
+            self.assertEqual(image.bound("copies_some"), 1 + 1 + (1 + 2 * 3) + 1)
+            self.assertEqual(list(image.problems.values()) + table.unused(table.used), [])
+
+    def test_the_dearest_of_the_functions_behind_a_pointer_counts(self):
+        for image, table, _ in self.both(POINTERS):
+            self.assertEqual((image.bound("by_pointer"), image.bound("anywhere")), (1 + 1 + 18 + 1, 2))
+            self.assertEqual(table.unused(table.used), [])
+
+    def test_a_function_behind_a_pointer_that_is_not_in_the_image_is_refused(self):
+        for image, _, _ in self.both(POINTERS.replace("counted_down", "gone")):
+            with self.assertRaisesRegex(control_flow.FlowError, r"by_pointer\+0x\d .*calls gone by loop_bounds.toml"):
+                image.bound("by_pointer")
+
+    def test_an_entry_without_a_reason_is_refused(self):
+        _, table = self.image("arm", SOME.replace("never more", ""))
+        self.assertEqual(table.problems, ["loop_bounds.toml gives no reason for copies_some"])
 
     def test_an_entry_for_no_loop_is_refused(self):
         for image, table, _ in self.both(FIVE_TURNS):
@@ -423,6 +491,20 @@ class Executed(Images):
     def test_a_way_that_is_not_known_is_found(self):
         problems, _ = self.watched("either_side", [(0, 1), (3,)])
         self.assertRegex(problems[0], r"either_side\+0x6 .*was executed after either_side\+0x2")
+
+    def test_a_call_of_a_function_that_is_not_known_is_found(self):
+        image, _ = self.image("thumb", POINTERS)
+        image.bound("by_pointer")
+        (call,) = (address for address, called in image.calls().items() if len(called) == 2)
+        addresses = sorted(image.ways())
+        start = addresses.index(call) - 1
+        for target, problems in ((image.address("either_side"), 0), (image.address("data_decides"), 2)):
+            watch = loop_watch.Watch(image)
+            watch.enter()
+            watch.executed(addresses[start : start + 2])
+            watch.enter()
+            watch.executed([target])
+            self.assertEqual(len(list(watch.problems())), problems)
 
     def test_code_that_is_not_known_is_found(self):
         image, _ = self.image("thumb")

@@ -248,6 +248,25 @@ def indirect_calls(measurements):
     return f"\nThe library makes no indirect call. The application makes its virtual calls, of hal/interface, in {callers}.\n"
 
 
+def loops(measurements):
+    """All loops of the traced calls with their bounds: how often a loop's first instruction is executed each time the loop is
+    entered."""
+    lines = [
+        "\nLoops of `rsi_step`, `rsi_init`, `RolloverEcu::step` and what they call, each with the most executions of its first "
+        "instruction each time it is entered: as bounded, and as traced.\n",
+        "| function | loop | R5F bound | traced | M4F bound | traced | bound by |",
+        "| -------- | ---- | --------: | -----: | --------: | -----: | -------- |",
+    ]
+    for function, code in sorted({key for m in measurements for key in m.loops}):
+        found = {m.target: m.loops.get((function, code), []) for m in measurements}
+        cells = [f"`{function}`", f"`{code}`".replace("|", "\\|")]
+        for target in TARGETS:
+            cells += [_number(max((loop[i] for loop in found[target]), default=None)) for i in (0, 1)]
+        reasons = {reason: None for target in TARGETS for _, _, reason in found[target]}
+        lines.append("| " + " | ".join([*cells, "; ".join(reasons)]) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def make(measurements, operations, held_to):
     """The table of both targets."""
     table = Table(held_to)
