@@ -34,7 +34,7 @@ class Instruction:
     length: int
     mnemonic: str
     operands: str
-    constant: int | None  # what it loads from a constant place
+    constant: int | None  # loaded from a constant place
 
     @property
     def text(self):
@@ -176,10 +176,11 @@ class _Decoder:
             targets = {self._listing.number(base + 4 * i, 4) & ~1 for i in range(entries)}
             return sorted(targets | ({instruction.after} if load[1] else set()))
         size = 1 if instruction.mnemonic == "tbb" else 2
-        return sorted({instruction.after + 2 * self._listing.number(instruction.after + size * i, size) for i in range(entries)})
+        numbers = (self._listing.number(instruction.after + size * i, size) for i in range(entries))
+        return sorted({instruction.after + 2 * number for number in numbers})
 
     def _entries(self, instruction, index, before, condition):
-        """Entries of a table, by `cmp index, #last` and, after it, a branch or a condition that keeps what is higher away."""
+        """Entries of a table, by `cmp index, #last` and, after it, a branch or a condition for what is not higher."""
         is_guarded = condition == "ls"
         for earlier in reversed(before):
             match = re.fullmatch(rf"cmp(?:\.w)? {index}, #(\d+)", earlier.text)

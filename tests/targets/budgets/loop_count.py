@@ -1,5 +1,5 @@
-"""How often a loop is executed where its instructions alone tell: a register that starts at one value, grows by a constant
-in every turn and ends the loop at another value that is a constant apart."""
+"""How often a loop is executed, if its instructions alone give it: a register starts at one value, grows by a constant in
+every turn and ends the loop at another value that is a constant apart."""
 
 import re
 
@@ -7,7 +7,7 @@ _REGISTER = r"(?:r\d+|sb|sl|fp|ip|sp|lr)"
 _CONDITIONS = "eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
 _CONDITION = re.compile(rf"({_CONDITIONS})(?:\.[nw])?$")
 _CALL = re.compile(rf"blx?(?:{_CONDITIONS})?")
-_CALLED = ("r0", "r1", "r2", "r3", "ip", "lr")  # what a called function may change
+_CALLED = ("r0", "r1", "r2", "r3", "ip", "lr")  # that a called function may change
 _READS = re.compile(r"(str(?!ex)|stm|push|cmp|cmn|tst|teq|vcmp|vst|vpush|b|cb|nop|it|pld|dmb|dsb|isb)")
 _READS_BUT = ("bic", "bfc", "bfi")
 _TWO = re.compile(r"(ldrd|[us]mull|[us]mlal|vmov)")
@@ -27,7 +27,7 @@ def changed_registers(instruction):
         return set(_CALLED)
     outside = re.sub(r"\[.*?\]", "", operands)
     mentioned = re.findall(rf"\b{_REGISTER}\b", outside)
-    changed = set(re.findall(rf"\[({_REGISTER})[^\]]*\](?:!|, )", operands) + re.findall(rf"\b({_REGISTER})!", operands))
+    changed = {*re.findall(rf"\[({_REGISTER})[^\]]*\](?:!|, )", operands), *re.findall(rf"\b({_REGISTER})!", operands)}
     if mnemonic.startswith(("push", "pop", "vpush", "vpop")):
         changed.add("sp")
     if _ALL.match(mnemonic) or re.search(rf"{_REGISTER}-{_REGISTER}", outside):
@@ -153,7 +153,7 @@ def _tests(blocks, loop, always):
 
 
 def times(flow, loop, inner, values):
-    """How often the loop's first block is executed each time the loop is entered at most, or None if that is not known."""
+    """Most executions of the loop's first block each time the loop is entered, or None if that is not known."""
     blocks, dominates = flow.blocks, flow.dominates
     nested = set().union(*(other.body for other in inner)) if inner else set()
     always = [a for a in loop.body - nested if all(dominates(a, latch) for latch in loop.latches)]

@@ -1,5 +1,5 @@
-"""Compares what is executed on the target with what path_bound.py rests on: no way that it does not know, no loop that
-turns more often than its bound."""
+"""Compares what is executed on the target with the analysis of path_bound.py: no way or call that it does not know, no
+loop that turns more often than its bound."""
 
 
 class Watch:
@@ -10,7 +10,7 @@ class Watch:
         self._loops, self._ways, self._calls = image.loops, image.ways(), image.calls()
         self._last = []  # address of the last instruction, of every function that has not returned
         self._turns = {}
-        self._seen = {}  # what a block does to the loops, by the instruction before it and the block
+        self._seen = {}  # effects of a block on the loops, by the instruction before it and the block
         self.most = dict.fromkeys(self._loops, 0)  # executions of a header each time that its loop was entered
         self.unknown = set()  # pairs of instructions that followed each other, of which that was not known
 
@@ -54,7 +54,9 @@ class Watch:
         for header, turns in self.most.items():
             loop = self._loops[header]
             if turns > loop.times:
-                yield f"{place(header)}: the loop `{loop.code}` of {loop.name} turned {turns} times, its bound is {loop.times}"
+                yield (
+                    f"{place(header)}: the loop `{loop.code}` of {loop.name} turned {turns} times, its bound is {loop.times}"
+                )
         for earlier, address in sorted(self.unknown, key=str):
             after = f"after {place(earlier)}" if earlier is not None else "first"
             yield f"{place(address)} was executed {after}, which the analysis of paths does not know"

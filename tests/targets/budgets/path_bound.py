@@ -26,7 +26,7 @@ class FoundLoop:
 
 
 class LoopTable:
-    """loop_bounds.toml: bounds of the loops whose instructions do not tell them, and what else they rest on."""
+    """loop_bounds.toml: bounds of the loops whose instructions do not give them, and of what is called."""
 
     def __init__(self, text, project):
         self._project = project

@@ -397,7 +397,7 @@ class LongestPath(Images):
             self.assertEqual(found, EXPECTED | OWN_EXPECTED[processor])
             self.assertEqual(list(image.problems.values()) + table.unused(table.used), [])
 
-    def test_what_has_no_bound_is_refused_with_its_place(self):
+    def test_every_planted_fault_is_refused_with_its_place(self):
         for image, _, _ in self.both():
             for function, message in REFUSED.items():
                 with self.assertRaisesRegex(control_flow.FlowError, message):
@@ -459,7 +459,7 @@ class LongestPath(Images):
 
 
 class Executed(Images):
-    """What is executed, as QEMU's blocks: the instructions of a function by their numbers."""
+    """Blocks as QEMU executes them: the instructions of a function by their numbers."""
 
     def watched(self, function, *calls, entries=FIVE_TURNS):
         image, _ = self.image("thumb", entries)

@@ -157,7 +157,7 @@ def _cycles(table, measurements):
         return {m.target: _of_cycles(m, values) for m in measurements}
 
     table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
-    table.row("bound by the longest path, 64 frames received", {m.target: [m.cycle_bound] for m in measurements}, "cycle_bound")
+    table.row("bound by the longest path, most frames received", {m.target: [m.cycle_bound] for m in measurements}, "cycle_bound")
     table.row(
         "· with no more turns of each loop than were traced", {m.target: [m.cycle_bound_as_turned] for m in measurements}
     )
