@@ -5,7 +5,6 @@ that no way is overlooked.
 """
 
 import dataclasses
-import functools
 import re
 
 import binary_tools
@@ -75,6 +74,8 @@ class Listing:
             self.instructions[address] = Instruction(address, length, mnemonic, operands, constant)
         self.functions = binary_tools.functions(path)
         self.name_at = {address: name for name, address in sorted(self.functions.items(), reverse=True)}
+        readable = binary_tools.demangled(list(self.name_at.values()))
+        self._plain = {address: binary_tools.short_name(name) for address, name in zip(self.name_at, readable)}
         self._function_at = None
 
     def _loaded(self, operands):
@@ -94,10 +95,13 @@ class Listing:
         start = self._function_at.get(address, address)
         return f"{self.plain_name(start)}+{address - start:#x} ({address:#x})"
 
-    @functools.cache
     def plain_name(self, start):
         """Name of the function that begins at an address."""
-        return binary_tools.short_name(binary_tools.run("c++filt", self.name_at.get(start, "?")).strip())
+        return self._plain.get(start, "?")
+
+    def named(self, name):
+        """Addresses of the functions of that plain name."""
+        return tuple(address for address, its_name in self._plain.items() if its_name == name)
 
 
 @dataclasses.dataclass
@@ -130,8 +134,8 @@ class _Decoder:
         raise FlowError(f"{self._listing.place(instruction.address)}: {why}: {instruction.text}")
 
     def effect(self, instruction, before):
-        """Ways on, functions that it may call, whether the function may end, and functions that it may jump to; `before`
-        are the instructions in front of it."""
+        """Ways on, functions that it may call, whether the function may end, and functions that it may jump to;
+        `before` are the instructions in front of it."""
         text = instruction.text
         branch = _BRANCH.fullmatch(instruction.mnemonic)
         if _RETURN.fullmatch(text):

@@ -1,5 +1,5 @@
-"""How often a loop is executed, if its instructions alone give it: a register starts at one value, grows by a constant in
-every turn and ends the loop at another value that is a constant apart."""
+"""How often a loop is executed, if its instructions alone give it: a register starts at one value, grows by a constant
+in every turn and ends the loop at another value that is a constant apart."""
 
 import re
 
@@ -12,7 +12,7 @@ _READS = re.compile(r"(str(?!ex)|stm|push|cmp|cmn|tst|teq|vcmp|vst|vpush|b|cb|no
 _READS_BUT = ("bic", "bfc", "bfi")
 _TWO = re.compile(r"(ldrd|[us]mull|[us]mlal|vmov)")
 _ALL = re.compile(r"(mcr|mrc|cdp|ldc|stc|strex|swp|cps|msr)")
-_SETS_FLAGS = re.compile(rf"cmp|cmn|tst|teq|vmrs|msr|{_CALL.pattern}$|(?!v)\w*s$")
+_SETS_FLAGS = re.compile(rf"cmp|cmn|tst|teq|vmrs|msr|{_CALL.pattern}$|(?!v)\w*s(?:{_CONDITIONS})?$")
 _ON_EQUAL_OR_NOT = re.compile(r"b(eq|ne)(?:\.[nw])?")
 
 

@@ -3,7 +3,7 @@ loop that turns more often than its bound."""
 
 
 class Watch:
-    """Takes the blocks that instruction_trace reads, function by function, and compares them with a path_bound.Image."""
+    """Takes the blocks that instruction_trace reads, function by function, and compares them with an Image."""
 
     def __init__(self, image):
         self._image = image
@@ -54,9 +54,8 @@ class Watch:
         for header, turns in self.most.items():
             loop = self._loops[header]
             if turns > loop.times:
-                yield (
-                    f"{place(header)}: the loop `{loop.code}` of {loop.name} turned {turns} times, its bound is {loop.times}"
-                )
+                what = f"the loop `{loop.code}` of {loop.name}"
+                yield f"{place(header)}: {what} turned {turns} times, its bound is {loop.times}"
         for earlier, address in sorted(self.unknown, key=str):
             after = f"after {place(earlier)}" if earlier is not None else "first"
             yield f"{place(address)} was executed {after}, which the analysis of paths does not know"

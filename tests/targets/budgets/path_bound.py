@@ -1,5 +1,6 @@
-"""Upper bound of the instructions of a call, over every path through its functions: the longest path, each loop as often
-as its bound allows. A conditional instruction counts whether or not its condition holds, as in instruction_trace."""
+"""Upper bound of the instructions of a call, over every path through its functions: the longest path, each loop as
+often as its bound allows. A conditional instruction counts whether or not its condition holds, as in
+instruction_trace."""
 
 import dataclasses
 import tomllib
@@ -69,7 +70,8 @@ class LoopTable:
     def unused(self, used):
         """Entries that no image needs; `used`: those of all images together."""
         return [
-            f"loop_bounds.toml has a {kind} of {entry['function']} (`{entry.get('code', entry.get('called'))}`), which nothing needs"
+            f"nothing needs the [[{kind}]] of {entry['function']} (`{entry.get('code', entry.get('called'))}`) in "
+            "loop_bounds.toml"
             for number, (kind, entry) in enumerate(self._entries)
             if number not in used
         ]
@@ -84,11 +86,11 @@ def _most(entry, argument):
 
 
 def _longest(flow, found, times, cost, end_cost):
-    """Instructions on the longest way through a function; the loops of `found` are ordered as loops.of_function does."""
+    """Instructions on the longest way through a function; the loops of `found` have loops.of_function's order."""
     parents = [next((o for o in found[i + 1 :] if loop.header in o.body), None) for i, loop in enumerate(found)]
 
     def region(header, nodes, loop):
-        """Most of a turn back to the header, of the ways out by where they lead, and of the ways that end the function."""
+        """Most of a turn back to the header, of the ways out by their targets, and of the ways that end the function."""
         inner = {other.header: other for other, parent in zip(found, parents) if parent is loop}
         reached, turn, out, end = {header: 0}, _NEVER, {}, _NEVER
 
@@ -210,11 +212,12 @@ class Image:
         names = self._table.targets(name, code)
         if names is None:
             return None
-        found = {self._listing.plain_name(start): start for start in self._listing.name_at}
-        missing = [target for target in names if target not in found]
-        if missing:
-            raise control_flow.FlowError(f"{self.place(address)} calls {missing[0]} by loop_bounds.toml, which is not in the image")
-        return tuple(found[target] for target in names)
+        for name in names:
+            if not self._listing.named(name):
+                raise control_flow.FlowError(
+                    f"{self.place(address)} calls {name} by loop_bounds.toml, which is not in the image"
+                )
+        return tuple(start for name in names for start in self._listing.named(name))
 
     def _flow(self, entry):
         if entry not in self._flows:
@@ -238,7 +241,7 @@ class Image:
         if loop.header not in self._places:
             nested = set().union(*(other.body for other in inner))
             last = flow.blocks[max(loop.latches)].last.address
-            own = [i.address for a in sorted(loop.body - nested) for i in flow.blocks[a].instructions if i.address != last]
+            own = [i.address for a in sorted(loop.body - nested) for i in flow.blocks[a].instructions]
             self._places[loop.header] = self._place([last, *own])
         name, code = self._places[loop.header]
         times, reason = loop_count.times(flow, loop, inner, values), COUNTED
@@ -246,8 +249,8 @@ class Image:
             times, reason = self._table.times(name, code, argument) or (None, "")
         if times is None:
             self.problems[loop.header] = (
-                f"{self._listing.place(loop.header)}: a loop without a bound: function = {name!r}, code = {code!r}; add it "
-                "with its reason to loop_bounds.toml"
+                f"{self.place(loop.header)}: a loop without a bound: function = {name!r}, code = {code!r}; add it with its "
+                "reason to loop_bounds.toml"
             )
             times = 1
         body = frozenset(i.address for a in loop.body for i in flow.blocks[a].instructions)
@@ -257,14 +260,16 @@ class Image:
         return times
 
     def _place(self, addresses):
-        """Function and line of source that a loop goes by, those of its last instruction, which comes first: the innermost
-        function that is the project's, else the innermost; of its lines in the loop the one that begins a loop, if there is
-        one."""
+        """Function and line of source that a loop goes by, those of its last instruction, which comes first: the
+        innermost function that is the project's, else the innermost; of its lines in the loop the one that begins a
+        loop, if there is one."""
         name = place = None
         for _, frames in binary_tools.inline_places(self._listing.path, addresses):
             function, file, line = next((frame for frame in frames if self._source(frame[1])), frames[0])
             source = self._source(file)
-            code = source.read_text().splitlines()[line - 1].strip() if source else f"{file.rsplit('/', 1)[-1]}:{line}"
+            code = f"{file.rsplit('/', 1)[-1]}:{line}"
+            if source and line:
+                code = source.read_text().splitlines()[line - 1].strip()
             if name is None:
                 name, place = function, code
             if function == name and code.startswith(("for (", "while (", "do {")):
