@@ -170,7 +170,7 @@ def times(flow, loop, inner, values):
             continue
         (at, position), = changes
         step = constant_step(blocks[at].instructions[position], counter)
-        if not step or _CONDITION.search(_base(blocks[at].instructions[position].mnemonic)):
+        if not step:
             continue
         is_counted_before = (at == address and position < index) or (at != address and dominates(at, address))
         number = _number(limit)

@@ -70,6 +70,52 @@ begin to_an_address  @ 3 + 4 * 3 + 1
     bx lr
 finish to_an_address
 
+begin compared_before  @ 1 + 4 * 4 + 2 + 1: the fifth comparison ends it
+    movs r3, #0
+1:  cmp r3, #4
+    beq 2f
+    adds r3, r3, #1
+    b 1b
+2:  bx lr
+finish compared_before
+
+begin begins_at_either  @ 3 + 1 + 9 * 2 + 1
+    movs r3, #5
+    cmp r0, #0
+    beq 1f
+    movs r3, #9
+1:  subs r3, r3, #1
+    bne 1b
+    bx lr
+finish begins_at_either
+
+begin two_counters  @ 2 + 5 * 4 + 1: the first ends it, but the other way out is as near
+    movs r3, #5
+    movs r2, #9
+1:  subs r3, r3, #1
+    beq 2f
+    subs r2, r2, #1
+    bne 1b
+2:  bx lr
+finish two_counters
+
+begin two_ways_out  @ 1 + 3 * 10 + 9 + 1, with four turns by its entry
+    movs r3, #4
+1:  cmp r0, #0
+    beq 3f
+    subs r3, r3, #1
+    bne 1b
+2:  bx lr
+3:  adds r0, r0, #1
+    adds r0, r0, #2
+    adds r0, r0, #3
+    adds r0, r0, #4
+    adds r0, r0, #5
+    cmp r1, #0
+    beq 2b
+    b 1b
+finish two_ways_out
+
 begin nested  @ 1 + 2 * (1 + 3 * 3 + 2) + 1
     movs r1, #2
 1:  movs r2, #3
@@ -163,6 +209,98 @@ begin passes_its_end
     bx lr
 finish passes_its_end
 
+begin begins_at_either_by_then
+    movs r3, #5
+    cmp r0, #0
+    beq 2f
+    movs r3, #9
+2:  adds r0, r0, #1
+1:  subs r3, r3, #1
+    bne 1b
+    bx lr
+finish begins_at_either_by_then
+
+begin counts_at_times
+    movs r3, #8
+1:  cmp r0, #0
+    beq 2f
+    subs r3, r3, #1
+2:  cmp r3, #0
+    bne 1b
+    bx lr
+finish counts_at_times
+
+begin counts_a_load_at_times
+    mov r3, r0
+    add r2, r0, #16
+1:  cmp r1, #0
+    it ne
+    ldrne r1, [r3], #4
+    cmp r3, r2
+    bne 1b
+    bx lr
+finish counts_a_load_at_times
+
+begin wraps
+    movs r3, #0
+1:  adds r3, r3, #1
+    cmp r3, #0
+    bne 1b
+    bx lr
+finish wraps
+
+begin goes_on_if_equal
+    movs r3, #3
+1:  adds r3, r3, #1
+    cmp r3, #4
+    bne 2f
+    adds r0, r0, #1
+    bne 1b
+2:  bx lr
+finish goes_on_if_equal
+
+begin tested_at_times
+    movs r3, #8
+1:  subs r3, r3, #1
+    cmp r0, #0
+    beq 2f
+    cmp r3, #0
+    beq 3f
+2:  adds r0, r0, #1
+    bne 1b
+3:  bx lr
+finish tested_at_times
+
+begin counts_in_an_inner_loop
+    movs r3, #9
+1:  movs r2, #2
+2:  subs r3, r3, #1
+    subs r2, r2, #1
+    bne 2b
+    cmp r3, #0
+    bne 1b
+    bx lr
+finish counts_in_an_inner_loop
+
+begin end_moves
+    movs r2, #4
+    movs r3, #0
+1:  adds r3, r3, #1
+    adds r2, r2, #2
+    cmp r3, r2
+    bne 1b
+    bx lr
+finish end_moves
+
+begin ends_elsewhere
+    mov r3, r0
+    add r2, r1, #16
+1:  ldr r0, [r3], #4
+    cmp r3, r2
+    bne 1b
+    bx lr
+finish ends_elsewhere
+
 begin counter_is_lost
     push {r4, lr}
     movs r3, #5
@@ -248,7 +386,7 @@ begin table  @ 3 + 3
     cmp r0, #2
     bhi 3f
     tbb [pc, r0]
-4:  .byte (1f - 4b) / 2, (2f - 4b) / 2, (3f - 4b) / 2
+4:  .byte (3f - 4b) / 2, (2f - 4b) / 2, (1f - 4b) / 2
     .align 1
 1:  adds r0, r0, #1
 2:  adds r0, r0, #2
@@ -260,6 +398,13 @@ begin table_without_a_test
 4:  .byte (1f - 4b) / 2, (1f - 4b) / 2
 1:  bx lr
 finish table_without_a_test
+
+begin table_without_a_guard
+    cmp r0, #1
+    tbb [pc, r0]
+4:  .byte (1f - 4b) / 2, (1f - 4b) / 2
+1:  bx lr
+finish table_without_a_guard
 
 begin table_past_its_test
     cmp r1, #0
@@ -285,7 +430,7 @@ begin table  @ 2 + 3: the higher ones leave by the branch behind the jump
     cmp r0, #2
     ldrls pc, [pc, r0, lsl #2]
     b 3f
-    .word 1f, 2f, 3f
+    .word 3f, 2f, 1f
 1:  adds r0, r0, #1
 2:  adds r0, r0, #2
 3:  bx lr
@@ -297,6 +442,14 @@ begin table_without_a_test
     .word 1f, 1f
 1:  bx lr
 finish table_without_a_test
+
+begin table_without_a_guard
+    cmp r0, #1
+    ldr pc, [pc, r0, lsl #2]
+    nop
+    .word 1f, 1f
+1:  bx lr
+finish table_without_a_guard
 
 begin table_past_its_test
     cmp r1, #0
@@ -315,6 +468,9 @@ EXPECTED = {
     "counted_down": 18,
     "tested_first": 1 + 5 * 2 + 4 * 2 + 1,
     "to_an_address": 16,
+    "compared_before": 1 + 4 * 4 + 2 + 1,
+    "begins_at_either": 3 + 1 + 9 * 2 + 1,
+    "two_counters": 2 + 5 * 4 + 1,
     "to_a_literal": 2 + 4 * 3 + 1,
     "nested": 26,
     "left_from_within": 1 + 9 * 4 + 2 + 4,
@@ -325,7 +481,8 @@ EXPECTED = {
 OWN_EXPECTED = {"thumb": {"conditional": 6, "table": 6}, "arm": {"conditional": 5, "table": 5}}
 UNCOUNTED = (
     "data_decides", "grows_unevenly", "passes_its_end", "counter_is_lost", "counter_is_lost_at_times",
-    "another_result_ends_it", "copy", "copies_some",
+    "another_result_ends_it", "begins_at_either_by_then", "counts_at_times", "counts_a_load_at_times", "wraps",
+    "goes_on_if_equal", "tested_at_times", "counts_in_an_inner_loop", "end_moves", "ends_elsewhere", "copy", "copies_some",
 )
 REFUSED = {
     "by_pointer": r"by_pointer\+0x\d .*an indirect call: blx r0",
@@ -335,6 +492,7 @@ REFUSED = {
     "runs_on": r"runs_on\+0x0 .*runs on into another function",
     "calls_the_system": r"calls_the_system\+0x0 .*a jump that is not known: svc",
     "table_without_a_test": r"table_without_a_test\+0x0 .*no comparison bounds the index",
+    "table_without_a_guard": r"table_without_a_guard\+0x\w+ .*no comparison bounds the index",
     "table_past_its_test": r"table_past_its_test\+0x\w+ .*a way leads past the comparison",
 }
 COPY = """
@@ -431,6 +589,11 @@ class LongestPath(Images):
         for image, table, _ in self.both(FIVE_TURNS):
             self.assertEqual(image.bound("data_decides"), 5 * 2 + 1)
             self.assertEqual(list(image.problems.values()) + table.problems + table.unused(table.used), [])
+
+    def test_the_dearest_way_out_of_a_loop_counts(self):
+        four_turns = '[[loop]]\nfunction = "two_ways_out"\ncode = "b 1b"\ntimes = 4\nreason = "never more"\n'
+        for image, _, _ in self.both(four_turns):
+            self.assertEqual(image.bound("two_ways_out"), 1 + 3 * 10 + 9 + 1)
 
     def test_an_argument_that_is_no_constant_has_the_bound_of_its_entry(self):
         for image, table, _ in self.both(COPY + SOME):
