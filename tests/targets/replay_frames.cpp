@@ -1,14 +1,14 @@
 // Recorded sensor frames through the firmware, on every target: what it answers must be the same, byte for
 // byte.
 //
-// replay_frames PARAMETERS SENSORS ECU: reads the calibration (write_parameters.cpp makes it) and the candump
+// replay_frames PARAMETERS SENSORS ECU [flushing]: reads the calibration (write_parameters.cpp makes it) and the candump
 // log SENSORS, steps the ECU every 10 ms of the log's time, as sil::replay does, and writes its frames to the
 // candump log ECU.
 //
 // With RSI_WITH_ACCESSES (replay_with_accesses, for the budgets) XCP and diagnosis are linked and not
 // connected. The ECU then starts with the section that is linked, that of large_suv; PARAMETERS is only read.
 //
-// With RSI_FLUSH_TO_ZERO (replay_frames_flushing) the FPU flushes subnormal numbers to zero.
+// flushing: with an FPU that flushes subnormal numbers to zero.
 #include <cstring>
 
 #include "hal/memory/frame_replay.hpp"
@@ -17,12 +17,10 @@
 #include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/targets/bit_digest.hpp"
 #include "tests/targets/candump_text.hpp"
+#include "tests/targets/support/flush_to_zero.hpp"
 #include "tests/targets/support/program.hpp"
 #include "tests/targets/support/text_file.hpp"
 
-#ifdef RSI_FLUSH_TO_ZERO
-#include "tests/targets/support/flush_to_zero.hpp"
-#endif
 #ifdef RSI_WITH_ACCESSES
 #include "tests/targets/budgets/target/ecu_with_accesses.hpp"
 #endif
@@ -150,12 +148,13 @@ std::uint64_t answer(const Recording& recording, const rsi::Parameters& paramete
 }  // namespace
 
 int target::run(int argc, const char* const* argv) {
-    if (argc != 4) {
-        return refuse("want PARAMETERS SENSORS ECU", "\n");
+    const bool flushing = (argc == 5) && (std::strcmp(argv[4], "flushing") == 0);
+    if ((argc != 4) && !flushing) {
+        return refuse("want PARAMETERS SENSORS ECU [flushing]", "\n");
     }
-#ifdef RSI_FLUSH_TO_ZERO
-    flush_to_zero();
-#endif
+    if (flushing) {
+        flush_to_zero();
+    }
     static rsi::Parameters parameters;
     static Recording recording;
     const Handle parameter_file = open_to_read(argv[1]);
