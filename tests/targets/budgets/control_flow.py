@@ -31,6 +31,7 @@ class FlowError(Exception):
 class Instruction:
     address: int
     length: int
+    is_thumb: bool
     mnemonic: str
     operands: str
     constant: int | None  # loaded from a constant place
@@ -67,11 +68,12 @@ class Listing:
                         self._data[address] = byte
                         address += 1
                 continue
-            parts.append((address, sum(map(len, coded)) // 2, match[3], match[4] or ""))
-        for address, length, mnemonic, rest in parts:
+            length = sum(map(len, coded)) // 2
+            parts.append((address, length, len(coded[0]) == 4, match[3], match[4] or ""))
+        for address, length, is_thumb, mnemonic, rest in parts:
             operands = re.sub(r"\s+", " ", re.split(r"\s*[;@]", rest)[0].strip())
             constant = self._loaded(rest) if mnemonic in ("ldr", "ldr.w", "ldr.n") and "[pc, #" in operands else None
-            self.instructions[address] = Instruction(address, length, mnemonic, operands, constant)
+            self.instructions[address] = Instruction(address, length, is_thumb, mnemonic, operands, constant)
         self.functions = binary_tools.functions(path)
         self.name_at = {address: name for name, address in sorted(self.functions.items(), reverse=True)}
         readable = binary_tools.demangled(list(self.name_at.values()))
@@ -184,24 +186,28 @@ class _Decoder:
         return sorted({instruction.after + 2 * number for number in numbers})
 
     def _entries(self, instruction, index, before, condition):
-        """Entries of a table, by `cmp index, #last` and, after it, a branch or a condition for what is not higher."""
-        is_guarded = condition == "ls"
+        """Entries of a table, by `cmp index, #last` right in front of it and what keeps higher ones away: the condition of
+        the jump, or a branch in between."""
+        is_guarded, following = condition == "ls", instruction
         for earlier in reversed(before):
-            match = re.fullmatch(rf"cmp(?:\.w)? {index}, #(\d+)", earlier.text)
-            if match and is_guarded:
+            compared = re.fullmatch(rf"cmp(?:\.w)? {index}, #(\d+)", earlier.text)
+            if earlier.after != following.address or index in loop_count.changed_registers(earlier):
+                break
+            if compared and is_guarded:
                 self._tables.append((earlier.address, instruction))
-                return int(match[1]) + 1
-            if match or index in loop_count.changed_registers(earlier):
+                return int(compared[1]) + 1
+            if loop_count.sets_flags(earlier):
                 break
             is_guarded = is_guarded or re.fullmatch(r"bhi(?:\.[nw])?", earlier.mnemonic) is not None
+            following = earlier
         self.refuse(instruction, "no comparison bounds the index of a table of jumps")
 
     def _base(self, instruction, register, before):
-        if register == "pc":
-            return instruction.address + 8  # only Arm's instructions, not Thumb's, know this form
+        if register == "pc" and not instruction.is_thumb:
+            return instruction.address + 8
         for earlier in reversed(before):
             match = re.fullmatch(rf"(?:add|adr)(?:\.w)? {register}, pc, #(\d+)", earlier.text)
-            if match:
+            if match and earlier.is_thumb:
                 return (earlier.address & ~3) + 4 + int(match[1])
             if register in loop_count.changed_registers(earlier):
                 break

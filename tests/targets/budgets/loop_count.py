@@ -39,6 +39,10 @@ def changed_registers(instruction):
     return changed | set(mentioned[: 2 if _TWO.match(mnemonic) else 1])
 
 
+def sets_flags(instruction):
+    return _SETS_FLAGS.match(_base(instruction.mnemonic)) is not None
+
+
 def _number(text):
     match = re.fullmatch(r"#(-?\d+)", text)
     return int(match[1]) if match else None
@@ -141,7 +145,7 @@ def _tests(blocks, loop, always):
             continue
         for index in range(len(block.instructions) - 2, -1, -1):
             instruction = block.instructions[index]
-            if not _SETS_FLAGS.match(_base(instruction.mnemonic)):
+            if not sets_flags(instruction):
                 continue
             parts = [part.strip() for part in instruction.operands.split(",")]
             if _base(instruction.mnemonic) == "cmp" and len(parts) == 2:

@@ -406,6 +406,24 @@ begin table_without_a_guard
 1:  bx lr
 finish table_without_a_guard
 
+begin table_of_another_test
+    cmp r0, #1
+    cmp r1, #1
+    bhi 1f
+    tbb [pc, r0]
+4:  .byte (1f - 4b) / 2, (1f - 4b) / 2
+1:  bx lr
+finish table_of_another_test
+
+begin table_of_the_higher_ones
+    cmp r0, #1
+    bhi 2f
+    bx lr
+2:  tbb [pc, r0]
+4:  .byte (1f - 4b) / 2, (1f - 4b) / 2
+1:  bx lr
+finish table_of_the_higher_ones
+
 begin table_past_its_test
     cmp r1, #0
     beq 5f
@@ -442,6 +460,25 @@ begin table_without_a_test
     .word 1f, 1f
 1:  bx lr
 finish table_without_a_test
+
+begin table_of_another_test
+    cmp r0, #1
+    cmp r1, #1
+    ldrls pc, [pc, r0, lsl #2]
+    bx lr
+    .word 1f, 1f
+1:  bx lr
+finish table_of_another_test
+
+begin table_of_the_higher_ones
+    cmp r0, #1
+    bhi 2f
+    bx lr
+2:  ldr pc, [pc, r0, lsl #2]
+    nop
+    .word 1f, 1f
+1:  bx lr
+finish table_of_the_higher_ones
 
 begin table_without_a_guard
     cmp r0, #1
@@ -493,6 +530,8 @@ REFUSED = {
     "calls_the_system": r"calls_the_system\+0x0 .*a jump that is not known: svc",
     "table_without_a_test": r"table_without_a_test\+0x0 .*no comparison bounds the index",
     "table_without_a_guard": r"table_without_a_guard\+0x\w+ .*no comparison bounds the index",
+    "table_of_another_test": r"table_of_another_test\+0x\w+ .*no comparison bounds the index",
+    "table_of_the_higher_ones": r"table_of_the_higher_ones\+0x\w+ .*no comparison bounds the index",
     "table_past_its_test": r"table_past_its_test\+0x\w+ .*a way leads past the comparison",
 }
 COPY = """
