@@ -29,7 +29,7 @@ class Watch:
                 self.unknown.add((caller, addresses[0]))
             self._seen[key] = self._effects(before, addresses)
         for header, is_entry in self._seen[key]:
-            turns = 1 if is_entry else self._turns[header] + 1
+            turns = 1 if is_entry else self._turns.get(header, 0) + 1
             self._turns[header] = turns
             self.most[header] = max(self.most[header], turns)
         self._last[-1] = addresses[-1]
@@ -38,7 +38,7 @@ class Watch:
         """Headers of loops in a block, each with whether its loop is entered there."""
         effects = []
         for earlier, address in zip([before, *addresses], addresses):
-            if address not in self._ways or earlier is not None and address not in self._ways[earlier]:
+            if address not in self._ways or earlier is not None and address not in self._ways.get(earlier, ()):
                 self.unknown.add((earlier, address))
             if address in self._loops:
                 effects.append((address, earlier not in self._loops[address].body))

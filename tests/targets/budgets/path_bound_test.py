@@ -731,7 +731,9 @@ class Executed(Images):
         watch = loop_watch.Watch(image)
         watch.enter()
         watch.executed([0x10])
-        self.assertRegex(next(watch.problems()), r"0x10\) was executed first")
+        watch.executed([0x20])
+        first, then = watch.problems()
+        self.assertRegex(first + then, r"0x20\) was executed after .*0x10\).*0x10\) was executed first")
 
 
 if __name__ == "__main__":
