@@ -1,9 +1,9 @@
 // Recorded sensor frames through the firmware, on every target: what it answers must be the same, byte for
 // byte.
 //
-// replay_frames PARAMETERS SENSORS ECU [flushing]: reads the calibration (write_parameters.cpp makes it) and the candump
-// log SENSORS, steps the ECU every 10 ms of the log's time, as sil::replay does, and writes its frames to the
-// candump log ECU.
+// replay_frames PARAMETERS SENSORS ECU [flushing]: reads the calibration (write_parameters.cpp makes it) and
+// the candump log SENSORS, steps the ECU every 10 ms of the log's time, as sil::replay does, and writes its
+// frames to the candump log ECU.
 //
 // With RSI_WITH_ACCESSES (replay_with_accesses, for the budgets) XCP and diagnosis are linked and not
 // connected. The ECU then starts with the section that is linked, that of large_suv; PARAMETERS is only read.

@@ -14,6 +14,7 @@ import image_size
 import image_symbols
 import instruction_trace
 import library_stack
+import loop_table
 import loop_watch
 import path_bound
 
@@ -85,7 +86,7 @@ def floor_operations():
 
 
 def loop_bounds():
-    return path_bound.LoopTable((HERE / "loop_bounds.toml").read_text(), PROJECT)
+    return loop_table.LoopTable((HERE / "loop_bounds.toml").read_text(), PROJECT)
 
 
 def unused_bounds(measurements):

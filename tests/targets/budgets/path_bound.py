@@ -3,15 +3,14 @@ often as its bound allows. A conditional instruction counts whether or not its c
 instruction_trace."""
 
 import dataclasses
-import tomllib
 
 import binary_tools
 import control_flow
+import longest_path
 import loop_count
 import loops
 
 COUNTED = "counted by its instructions"
-_NEVER = -1
 
 
 @dataclasses.dataclass
@@ -24,107 +23,6 @@ class FoundLoop:
     body: frozenset  # addresses of its instructions
     times: int
     reason: str  # why it turns no more often
-
-
-class LoopTable:
-    """loop_bounds.toml: bounds of the loops whose instructions do not give them, and of what is called."""
-
-    def __init__(self, text, project):
-        self._project = project
-        tables = tomllib.loads(text)
-        self.arguments = tables.pop("argument", {})
-        self._entries = [(kind, entry) for kind, entries in tables.items() for entry in entries]
-        self.used = set()  # numbers of entries
-        self.problems = [problem for _, entry in self._entries for problem in self._contradiction(entry)]
-
-    def _contradiction(self, entry):
-        """An entry has a reason, and the constant that it rests on stands in the source."""
-        if not entry.get("reason"):
-            yield f"loop_bounds.toml gives no reason for {entry['function']}"
-        if "source" in entry and entry["constant"] not in (self._project / entry["source"]).read_text():
-            yield f"the bound of {entry['function']} rests on `{entry['constant']}`, which is not in {entry['source']}"
-
-    def _find(self, kind, **wanted):
-        for number, (its_kind, entry) in enumerate(self._entries):
-            if its_kind == kind and all(entry[key] == value for key, value in wanted.items()):
-                self.used.add(number)
-                return entry
-        return None
-
-    def times(self, function, code, argument):
-        """Most turns of a loop and why, or None: by the function that it is in and its line of source."""
-        entry = self._find("loop", function=function, code=code)
-        most = entry and _most(entry, argument)
-        return None if most is None else (most, entry["reason"])
-
-    def targets(self, function, code):
-        """Names of the functions that a call through a pointer may call, or None; by where it is, like a loop."""
-        entry = self._find("call", function=function, code=code)
-        return entry and entry["targets"]
-
-    def most(self, function, called):
-        """Most that the function calls a function of `arguments` with where that is no constant, or None."""
-        entry = self._find("most", function=function, called=called)
-        return entry and entry["most"]
-
-    def unused(self, used):
-        """Entries that no image needs; `used`: those of all images together."""
-        return [
-            f"nothing needs the [[{kind}]] of {entry['function']} (`{entry.get('code', entry.get('called'))}`) in "
-            "loop_bounds.toml"
-            for number, (kind, entry) in enumerate(self._entries)
-            if number not in used
-        ]
-
-
-def _most(entry, argument):
-    """Bound of a loop: a number, or one turn for so many of an argument, or the lower of the two."""
-    bounds = [entry["times"]] if "times" in entry else []
-    if "per" in entry and argument is not None:
-        bounds.append(argument // entry["per"] + entry.get("plus", 0))
-    return min(bounds, default=None)
-
-
-def _longest(flow, found, times, cost, end_cost):
-    """Instructions on the longest way through a function; the loops of `found` have loops.of_function's order."""
-    parents = [next((o for o in found[i + 1 :] if loop.header in o.body), None) for i, loop in enumerate(found)]
-
-    def region(header, nodes, loop):
-        """Most of a turn back to the header, of the ways out by their targets, and of the ways that end the function."""
-        inner = {other.header: other for other, parent in zip(found, parents) if parent is loop}
-        reached, turn, out, end = {header: 0}, _NEVER, {}, _NEVER
-
-        def lead(target, instructions):
-            nonlocal turn
-            if target == header and loop is not None:
-                turn = max(turn, instructions)
-            elif target in nodes:
-                reached[target] = max(reached.get(target, _NEVER), instructions)
-            else:
-                out[target] = max(out.get(target, _NEVER), instructions)
-
-        for address in flow.order:
-            if address not in nodes or address not in reached:
-                continue
-            before = reached[address]
-            if address in inner:
-                if times[address] == 0:
-                    continue
-                turns, ways, ends = region(address, inner[address].body, inner[address])
-                before += (times[address] - 1) * max(turns, 0)
-                for target, instructions in ways.items():
-                    lead(target, before + instructions)
-                if ends != _NEVER:
-                    end = max(end, before + ends)
-                continue
-            block = flow.blocks[address]
-            if block.ends:
-                end = max(end, before + end_cost[address])
-            for target in block.successors:
-                lead(target, before + cost[address])
-        return turn, out, end
-
-    return region(flow.entry, set(flow.order), None)[2]
 
 
 class Image:
@@ -196,8 +94,8 @@ class Image:
                 cost[address] += self._dearest(called, values, address, index, above)
             last = len(block.instructions) - 1
             end_cost[address] = cost[address] + self._dearest(block.jumps_to, values, address, last, above)
-        longest = _longest(flow, found, times, cost, end_cost)
-        if longest == _NEVER:
+        longest = longest_path.instructions(flow, found, times, cost, end_cost)
+        if longest is None:
             raise control_flow.FlowError(f"{self._listing.place(entry)} never ends")
         return longest
 
