@@ -126,6 +126,13 @@ def check_trace(where, counts, calls):
             )
 
 
+def check_paths(where, problems):
+    """Every path must have a bound, and what is executed must keep to it."""
+    problems = list(problems)
+    if problems:
+        raise BudgetError(f"{where}: " + "; ".join(problems))
+
+
 def check_bound(where, most, bound):
     """A call must not execute more instructions than the longest path has."""
     if most > bound:
@@ -149,7 +156,6 @@ class Measurement:
         self._scratch.mkdir(parents=True, exist_ok=True)
         self._loop_table = loop_bounds()
         self.loops = {}  # bound, most turns that were traced and reason of each, by function and line of source
-        self.findings = []
 
     def take(self):
         self.steps = self._drives("steps", traced=True)
@@ -221,35 +227,37 @@ class Measurement:
 
     def _traced_steps(self, path):
         """The calls of rsi_step, with the bounds by the longest path, which what is executed must keep to."""
-        image = self._image("steps")
-        self.step_bound, self.init_bound, self.reset_bound = map(image.bound, ("rsi_step", "rsi_init", RESET))
+        image, bounds = self._bounded("steps", "rsi_step", "rsi_init", RESET)
+        self.step_bound, self.init_bound, self.reset_bound = bounds
         watch = loop_watch.Watch(image)
         roots = ["rsi_step", "rsi_init"]
         calls = self._trace("steps", roots, functions_of("step"), path, "traced.bin", "trace", watch=watch)
-        self._judge_paths(image, watch)
+        self._compare_paths("steps", image, watch)
         self.step_bound_as_turned = image.bound_with("rsi_step", watch.executed_turns())
         self.init_most = max(call.instructions for call in calls if call.root == "rsi_init")
         return [call for call in calls if call.root == "rsi_step"]
 
     def _cycles(self, logs):
-        image = self._image("replay_frames")
         root = self._symbol("replay_frames", CYCLE)
-        self.cycle_bound = image.bound(root)
+        image, (self.cycle_bound,) = self._bounded("replay_frames", root)
         watch = loop_watch.Watch(image)
         self.cycles = {log: self._cycle(log, "replay_frames", CYCLE, functions_of("cycle"), watch) for log in logs}
-        self._judge_paths(image, watch)
+        self._compare_paths("replay_frames", image, watch)
         self.cycle_bound_as_turned = image.bound_with(root, watch.executed_turns())
 
-    def _image(self, program):
-        return path_bound.Image(self._folder / f"targets/{program}.elf", self._loop_table, PROJECT)
+    def _bounded(self, program, *functions):
+        """The image of a program and the bounds of some of its functions."""
+        image = path_bound.Image(self._folder / f"targets/{program}.elf", self._loop_table, PROJECT)
+        bounds = [image.bound(function) for function in functions]
+        check_paths(f"{program} on {self.target}", [*self._loop_table.problems, *image.problems.values()])
+        return image, bounds
 
-    def _judge_paths(self, image, watch):
+    def _compare_paths(self, program, image, watch):
         for header, loop in image.loops.items():
             self.loops.setdefault((loop.name, loop.code), []).append((loop.times, watch.most[header], loop.reason))
-        self.findings += [f"{problem} ({self.target})" for problem in (*image.problems.values(), *watch.problems())]
+        check_paths(f"{program} on {self.target}", watch.problems())
 
     def _check_bounds(self):
-        self.findings += self._loop_table.problems
         self.used_bounds = self._loop_table.used
         for steps in (*self.steps.values(), *self.search.values()):
             check_bound(f"rsi_step on {self.target}", max(steps.counts), self.step_bound)
@@ -325,6 +333,7 @@ class Measurement:
 
     def _contents(self):
         """Forbidden parts in an image."""
+        self.findings = []
         images = [self._folder / "targets/least_image.elf"]
         if self._facts["image"]:
             images.append(self._folder / self._facts["image"])

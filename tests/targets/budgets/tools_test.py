@@ -268,6 +268,11 @@ class Contradictions(unittest.TestCase):
         with self.assertRaisesRegex(measurement.BudgetError, "2 steps, the trace 1"):
             measurement.check_trace("here", [100, 100], [call])
 
+    def test_a_path_without_a_bound_or_beyond_it_is_refused(self):
+        measurement.check_paths("steps", [])
+        with self.assertRaisesRegex(measurement.BudgetError, "^steps: a loop without a bound; a turn too many$"):
+            measurement.check_paths("steps", iter(["a loop without a bound", "a turn too many"]))
+
     def test_a_call_must_not_be_dearer_than_its_bound(self):
         measurement.check_bound("step", 100, 100)
         with self.assertRaisesRegex(measurement.BudgetError, "step took 101 .* 100"):
