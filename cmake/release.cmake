@@ -5,6 +5,6 @@ if(RSI_BUILD_SIL AND PROJECT_IS_TOP_LEVEL AND PROJECT_BINARY_DIR STREQUAL "${PRO
     add_custom_target(package
         COMMAND ${PROJECT_SOURCE_DIR}/cmake/environment/build cortex-r5f rsi-ecu-r5f ${installed}
         COMMAND ${PROJECT_SOURCE_DIR}/cmake/release/package
-        DEPENDS rsi-sil rsi-ecu a2l odx-table ${installed}
+        DEPENDS rsi-sil rsi-ecu a2l odx-table rsi_wheel ${installed}
         USES_TERMINAL VERBATIM)
 endif()

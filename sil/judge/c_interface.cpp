@@ -8,6 +8,7 @@
 #include "sil/judge/detection.hpp"
 #include "sil/judge/index_score.hpp"
 #include "sil/judge/judge.h"
+#include "sil/judge/warning_judgement.hpp"
 
 namespace {
 
@@ -133,6 +134,36 @@ int judge_alarms(const judge_calibration* calibration, const judge_course* cours
 
 double judge_alarm_threshold(const judge_calibration* calibration, const judge_course* course) {
     return sil::alarm_threshold(course_of(*course), parameters_of(*calibration));
+}
+
+double judge_matched_threshold(size_t runs, const double* alarm_thresholds, double share) {
+    return sil::matched_threshold({alarm_thresholds, alarm_thresholds + runs}, share);
+}
+
+void judge_warnings(const judge_drive* drive, judge_judgement* judgement) {
+    sil::WarningJudge judge;
+    for (std::size_t k = 0U; k < drive->cycles; ++k) {
+        judge.observe(drive->times_s[k], drive->load_transfer_ratios[k]);
+        judge.observe(static_cast<sil::WarningState>(drive->states[k]),
+                      static_cast<sil::WarningSide>(drive->sides[k]), drive->times_s[k]);
+    }
+    if (known(drive->lift_off_time_s)) {
+        judge.lift_off(
+            {{drive->lift_off_time_s, 0.0, 0.0}, static_cast<sil::WarningSide>(drive->falling_side)});
+    }
+    const sil::WarningJudgement& found = judge.judgement();
+    judgement->lifted = found.lifted ? 1U : 0U;
+    judgement->side_at_lift_off = static_cast<uint8_t>(found.side_at_lift_off);
+    judgement->late = found.late ? 1U : 0U;
+    judgement->lead_s = or_nan(found.lead_s);
+    judgement->wrong_side_s = found.wrong_side_s;
+    judgement->warning_s = found.warning_s;
+    judgement->advisory_s = found.advisory_s;
+    judgement->unavailable_s = found.unavailable_s;
+    judgement->warnings = found.warnings;
+    judgement->advisories = found.advisories;
+    judgement->largest_load_transfer_ratio = found.largest_load_transfer_ratio;
+    judgement->band = static_cast<uint8_t>(found.band());
 }
 
 void judge_forecast_inputs(size_t parameters, const char* const* names, const double* values,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "sil/judge/warning_judgement.hpp"
 
@@ -10,6 +11,8 @@ namespace sil {
 namespace {
 
 constexpr double ratio_of_thresholds = 1.01;
+constexpr double share_rounding = 1.0e-9;  // a share times its runs is a whole number, but for rounding
+constexpr double least_matched_threshold = 1.0e-9;
 
 // The highest level until then. At a threshold above it nothing can have begun to warn.
 double peak_until(const IndexCourse& course, double time_s) {
@@ -73,6 +76,17 @@ double alarm_threshold(const IndexCourse& course, const rsi::Parameters& calibra
         (index_alarms(course, calibration, threshold) ? at : beyond) = threshold;
     }
     return at;
+}
+
+double matched_threshold(std::vector<double> alarm_thresholds, double share) {
+    const auto wanted =
+        std::lround(std::ceil(share * static_cast<double>(alarm_thresholds.size()) - share_rounding));
+    if (wanted <= 0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    std::sort(alarm_thresholds.begin(), alarm_thresholds.end(), std::greater<>{});
+    const auto place = std::min(static_cast<std::size_t>(wanted), alarm_thresholds.size()) - 1U;
+    return std::max(alarm_thresholds.at(place), least_matched_threshold);
 }
 
 std::optional<double> index_lead_s(const IndexCourse& course, const rsi::Parameters& calibration,

@@ -60,6 +60,11 @@ bool index_alarms(const IndexCourse& course, const rsi::Parameters& calibration,
 // The largest threshold at which it raises an alarm, to 1e-9 of the highest level; 0 when there is none.
 double alarm_threshold(const IndexCourse& course, const rsi::Parameters& calibration);
 
+// The largest threshold with alarms in at least this share of the runs, of which alarm_threshold() is given;
+// infinite for a share of 0 and without runs. At a threshold of 0 an index would warn always: the least is
+// 1e-9.
+double matched_threshold(std::vector<double> alarm_thresholds, double share);
+
 // The risk of falling to either side.
 rsi::RiskLevel risk_of(float right, float left);
 

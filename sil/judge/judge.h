@@ -86,6 +86,39 @@ int judge_alarms(const judge_calibration* calibration, const judge_course* cours
 /* The largest threshold at which it does. */
 double judge_alarm_threshold(const judge_calibration* calibration, const judge_course* course);
 
+/* The largest threshold with alarms in at least this share of the runs, given the largest of each. */
+double judge_matched_threshold(size_t runs, const double* alarm_thresholds, double share);
+
+/* A drive, cycle by cycle: state (0 unavailable, 1 ready, 2 advisory, 3 warning) and side that were
+ * published, and the load transfer ratio of the wheel loads, NaN where it is not known. Two wheels lift at
+ * lift_off_time_s, and the vehicle falls to falling_side. */
+typedef struct {
+    size_t cycles;
+    const double* times_s;
+    const int32_t* states;
+    const int32_t* sides;
+    const double* load_transfer_ratios;
+    double lift_off_time_s;
+    uint8_t falling_side;
+} judge_drive;
+
+typedef struct {
+    uint8_t lifted;
+    uint8_t side_at_lift_off; /* that the warning in force names */
+    uint8_t late;             /* the right warning came only after lift-off */
+    double lead_s;
+    double wrong_side_s;
+    double warning_s;
+    double advisory_s;
+    double unavailable_s; /* beyond the start-up */
+    uint32_t warnings;
+    uint32_t advisories;
+    double largest_load_transfer_ratio;
+    uint8_t band; /* of a drive without lift-off */
+} judge_judgement;
+
+void judge_warnings(const judge_drive* drive, judge_judgement* judgement);
+
 /* Signals of a drive, cycle by cycle, in the firmware's units; NaN: none. */
 typedef struct {
     size_t cycles;

@@ -60,7 +60,7 @@ class Board:
 
     CONTROLLER = 0xFF070000
     RESET, MODE, SENT = 0x00, 0x04, 0x30
-    NORMAL_MODE, ENABLE = 0, 2
+    NORMAL_MODE, RESET_ALL, ENABLE = 0, 1, 2
     POLLED_EVERY_S = 0.001
 
     def __init__(self, image):
@@ -125,7 +125,9 @@ class Board:
     def _demand(self, request):
         self.qtest.sendall(request.encode("ascii") + b"\n")
         answer = self.answers.readline().split()
-        if not answer or answer[0] != "OK":
+        if not answer:
+            raise ConnectionError(f"QEMU ended with {self.emulator.wait()}: {self.messages.read_text(errors='replace')}")
+        if answer[0] != "OK":
             raise ConnectionError(f"QEMU answers {answer} to {request}")
         return answer
 
@@ -169,6 +171,8 @@ class Board:
             peer.close()
             return
         if self._read(self.RESET) != self.ENABLE:  # at the start, and when the firmware has reset the board
+            # A reset between the words of a frame leaves the rest of them, and QEMU aborts on a frame that is not whole.
+            self._write(self.RESET, self.RESET_ALL)
             self._write(self.MODE, self.NORMAL_MODE)
             self._write(self.RESET, self.ENABLE)
         identifier, length, payload = programs.FRAME.unpack(frame)
@@ -177,8 +181,9 @@ class Board:
             self._write(self.SENT + 4 * number, value)
 
     def _receive(self, frame):
-        if self.own and frame == self.own[0]:
-            self.own.popleft()
+        if frame in self.own:
+            while self.own.popleft() != frame:  # lost in a reset of the board
+                pass
             return
         identifier, data = int(frame[0], 16), bytes.fromhex(frame[1])
         for peer, only in self.peers:

@@ -7,7 +7,6 @@ campaign `plain` and one for each rare event. Called by sil/studies/benchmark/ru
 """
 
 import hashlib
-import math
 import pathlib
 import sys
 
@@ -58,14 +57,12 @@ def at_thresholds(connection, thresholds):
 
 
 def matched(connection, share):
-    """Index: the largest threshold with at least this share of alarms in the band, as sil/studies/predictors/comparison.py."""
+    """Index: the largest threshold with at least this share of alarms in the band."""
     of_band, level = {}, judge.bands()[judge.LEVEL_BAND]
     for name, threshold in connection.execute(f"SELECT index_name, threshold FROM scores WHERE band = '{level}' "
                                               "ORDER BY index_name, threshold DESC").fetchall():
         of_band.setdefault(name, []).append(threshold)
-    wanted = {name: math.ceil(share * len(values) - 1e-9) for name, values in of_band.items()}
-    # At a threshold of 0 an index would warn always; one that reaches none cannot be matched.
-    return {name: (values[wanted[name] - 1] if wanted[name] else math.inf) or 1e-9 for name, values in of_band.items()}
+    return {name: judge.matched_threshold(values, share) for name, values in of_band.items()}
 
 
 def table(rows, first_columns=()):

@@ -43,9 +43,7 @@ class CampaignWorld::IndexRecorder final : public RunObserver {
             codes_ |= std::uint64_t{1U} << static_cast<unsigned>(diagnosis.code);
         }
         const rsi::Outputs& outputs = run_.outputs();
-        const bool by_sensor = outputs.roll_source == RSI_ROLL_SENSOR;
-        const IndexSample sample{outputs, truth,
-                                 by_sensor ? run_.inputs().roll_angle_rad : outputs.observed_roll_angle_rad};
+        const IndexSample sample{outputs, truth, roll_angle_in_use(run_.inputs(), outputs)};
         for (std::size_t i = 0U; i < courses_.size(); ++i) {
             courses_[i].times_s.push_back(truth.time_s);
             courses_[i].risks.push_back(readers_.risk(i, sample));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "rsi/parameters.hpp"
 #include "sil/results/indices.hpp"
@@ -40,22 +39,9 @@ std::optional<std::size_t> index_place(const std::string& name) {
                                   : std::optional{static_cast<std::size_t>(found - indices.begin())};
 }
 
-IndexReaders::IndexReaders(const rsi::Parameters& calibration)
-    : indicators_(std::size(rsi::indicator_choices)) {
-    rsi::Parameters parameters = calibration;
-    parameters.warning_indicator = 0;
-    for (rsi::WarningIndicator& indicator : indicators_) {
-        indicator = rsi::WarningIndicator{parameters};
-        ++parameters.warning_indicator;
-    }
-}
-
 rsi::RiskLevel IndexReaders::risk(std::size_t index, const IndexSample& sample) const {
-    if (index >= indicators_.size()) {
-        return true_load_transfer(sample.truth);
-    }
-    const rsi::IndicatedRisk risk = indicators_[index].evaluate(sample.outputs, sample.roll_angle_rad);
-    return {risk.level, risk.direction, risk.opposite};
+    return index < rsi::index_count ? firmware_.risk(index, sample.outputs, sample.roll_angle_rad)
+                                    : true_load_transfer(sample.truth);
 }
 
 }  // namespace sil

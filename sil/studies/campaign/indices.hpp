@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "rsi/types.hpp"
-#include "rsi/warning/indicator_level.hpp"
 #include "rsi/warning/warning_state_machine.hpp"
+#include "sil/judge/firmware_indices.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
@@ -17,7 +17,7 @@ namespace sil {
 struct IndexSample {
     const rsi::Outputs& outputs;
     const Truth& truth;
-    float roll_angle_rad{0.0F};  // that the firmware uses; for the side of some
+    float roll_angle_rad{0.0F};  // roll_angle_in_use()
 };
 
 struct Index {
@@ -35,7 +35,7 @@ std::optional<std::size_t> index_place(const std::string& name);
 // every cycle.
 class IndexReaders {
  public:
-    explicit IndexReaders(const rsi::Parameters& calibration);
+    explicit IndexReaders(const rsi::Parameters& calibration) : firmware_{calibration} {}
 
     // Level, 0 and above, NaN if there is none, and side of the index at this place of campaign_indices().
     rsi::RiskLevel risk(std::size_t index, const IndexSample& sample) const;
@@ -45,7 +45,7 @@ class IndexReaders {
     }
 
  private:
-    std::vector<rsi::WarningIndicator> indicators_{};
+    FirmwareIndices firmware_;
 };
 
 }  // namespace sil

@@ -43,7 +43,8 @@ double logarithmic(RandomStream& chance, double low, double high) {
 const std::vector<Fault>& kinds_at_places() {
     static const std::vector<Fault> all = [] {
         std::vector<Fault> found;
-        for (const std::vector<Fault>& faults : {all_faults(), further_faults()}) {
+        for (const std::vector<Fault>& faults :
+             {all_faults(), further_faults(), mass_faults(), coupled_faults()}) {
             for (const Fault& fault : faults) {
                 const bool is_there = std::any_of(found.begin(), found.end(), [&fault](const Fault& each) {
                     return each.kind == fault.kind && each.place == fault.place;

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t shortest_turn = 50U;
 constexpr double slowest_turn_mps = 5.0;
 constexpr double clear_turn_mps2 = 0.1 * g_mps2;
+constexpr double beyond_bank_mps2 = 0.25 * g_mps2;  // an acceleration that no road's bank gives on a straight
 constexpr double largest_unit_error = 3.0;  // beyond any slip, slope or drift; a wrong unit makes 9.8 or 57
 constexpr double moderate_turn_mps2 = 0.5 * g_mps2;
 constexpr double largest_acceleration_mps2 = 1.5 * g_mps2;
@@ -21,6 +22,7 @@ constexpr double least_gradient_deg =
     0.4;  // deg/g; half of the stiffest vehicle's, a wrong unit makes 0.2 at most
 constexpr double largest_gradient_deg = 40.0;
 constexpr double clear_correlation = 0.5;
+constexpr double same_motion_correlation = 0.9;  // of one motion in two units; a skid has less
 constexpr double tipping_roll_rad = 0.35;  // later samples are blows
 
 struct Agreement {
@@ -64,8 +66,8 @@ class SignsAndUnits {
                 turn.push_back(yaw_rate[k] * speed[k]);
             }
             refuse_wrong_turn(agreement(turn, lateral, [&](std::size_t k) {
-                return speed[k] > slowest_turn_mps &&
-                       std::max(std::abs(turn[k]), std::abs(lateral[k])) > clear_turn_mps2;
+                return speed[k] > slowest_turn_mps && (std::abs(turn[k]) > clear_turn_mps2 ||
+                                                       std::abs(lateral[k]) > beyond_bank_mps2);
             }));
             refuse_wrong_steering(turn, speed);
         } else {
@@ -130,7 +132,8 @@ class SignsAndUnits {
                 "that is not",
                 drive_.name));
         }
-        if (turn.slope > largest_unit_error || turn.slope < 1.0 / largest_unit_error) {
+        const bool same_size = turn.slope < largest_unit_error && turn.slope > 1.0 / largest_unit_error;
+        if (turn.correlation > same_motion_correlation && !same_size) {
             throw IdentificationError(fmt::format(
                 "{}: the lateral acceleration is {:.2g} times yaw rate times speed, and both should be the "
                 "same. Check the units that the columns' names say: 9.8 comes from m/s^2 in a column named "

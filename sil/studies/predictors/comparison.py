@@ -33,9 +33,7 @@ def alarm_thresholds(runs, predictions):
 
 def matched_threshold(thresholds, firmware_share):
     """The largest threshold with at least this share of alarms in the band."""
-    of_band = sorted((thresholds[run] for run in level_runs(list(thresholds))), reverse=True)
-    wanted = math.ceil(firmware_share * len(of_band) - 1e-9)
-    return of_band[wanted - 1] if wanted else math.inf
+    return judge.matched_threshold([thresholds[run] for run in level_runs(list(thresholds))], firmware_share)
 
 
 def threshold_with_alarms_at_most(share, thresholds):

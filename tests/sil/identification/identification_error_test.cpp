@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sil/studies/identification/identification.hpp"
 #include "sil/studies/identification/plausibility_checks.hpp"
+#include "sil/studies/identification/signs_and_units.hpp"
 #include "tests/sil/identification/known_body.hpp"
 
 namespace {
@@ -119,6 +121,45 @@ TEST(UselessDrive, AnAccelerationInAnotherUnitIsRefusedForThat) {
 TEST(UselessDrive, AYawRateInDegreesIsRefusedForThat) {
     EXPECT_THAT(refusal(scaled(good_ramp(), &sil::DriveSample::yaw_rate_radps, 57.3), good_steps()),
                 HasSubstr("0.02 times yaw rate times speed"));
+}
+
+// A drive at 20 m/s from its turn (yaw rate times speed) and its lateral acceleration, both over the time.
+template <typename Turn, typename Lateral>
+std::string contradiction(const Turn& turn_mps2, const Lateral& lateral_mps2) {
+    sil::Drive drive;
+    drive.name = "a drive";
+    sil::Cycles cycles;
+    for (int k = 0; k < 800; ++k) {
+        sil::DriveSample sample{};
+        sample.time_s = 0.01 * k;
+        sample.speed_mps = 20.0;
+        sample.yaw_rate_radps = turn_mps2(sample.time_s) / sample.speed_mps;
+        sample.lateral_acceleration_mps2 = lateral_mps2(sample.time_s);
+        drive.samples.push_back(sample);
+        cycles.push_back(sil::DriveCycle{true, sample});
+    }
+    try {
+        sil::refuse_wrong_signs_and_units(drive, cycles, 0.02);
+    } catch (const sil::IdentificationError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(SignsAndUnits, AStraightOverABankIsNoWrongSign) {
+    const auto countersteers = [](double time_s) { return time_s > 2.0 ? -0.013 : 0.0; };
+    const auto bank = [](double time_s) { return time_s > 2.0 ? 1.8 : 0.0; };
+    EXPECT_EQ(contradiction(countersteers, bank), "accepted");
+    EXPECT_THAT(contradiction(countersteers, [&](double time_s) { return 2.0 * bank(time_s); }),
+                HasSubstr("opposite signs"));
+}
+
+TEST(SignsAndUnits, ASkidIsNoWrongUnit) {
+    const auto spins = [](double time_s) { return 14.0 * std::sin(3.8 * time_s); };
+    const auto skids = [](double time_s) { return 4.5 * std::sin(3.8 * time_s - 0.6); };
+    EXPECT_EQ(contradiction(spins, skids), "accepted");
+    EXPECT_THAT(contradiction(spins, [](double time_s) { return 4.5 * std::sin(3.8 * time_s - 0.1); }),
+                HasSubstr("0.32 times yaw rate times speed"));
 }
 
 TEST(UselessDrive, BlowsAfterAWheelHasLiftedAreNoWrongUnit) {

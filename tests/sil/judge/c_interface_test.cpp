@@ -134,6 +134,70 @@ TEST(JudgeInterface, HandsOnTheLevelBelowWhichASideGivesWay) {
     EXPECT_TRUE(std::isnan(judge_index_lead_s(&held, &course, 1.0, 0.02, right)));
 }
 
+// A warning to the right from 0.02 s on, after an advisory of one cycle; the left wheels lift at 0.05 s.
+struct SixCycles {
+    std::array<double, 6> times_s{0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
+    std::array<std::int32_t, 6> states{1, 2, 3, 3, 3, 3};
+    std::array<std::int32_t, 6> sides{0, 2, 2, 2, 2, 2};
+    std::array<double, 6> ratios{0.1, 0.4, none, 0.8, 0.95, 1.0};
+    judge_drive drive{6U, times_s.data(), states.data(), sides.data(), ratios.data(), 0.05, right};
+
+    judge_judgement judged() const {
+        judge_judgement found{};
+        judge_warnings(&drive, &found);
+        return found;
+    }
+};
+
+TEST(JudgeInterface, JudgesTheWarningsOfADrive) {
+    const judge_judgement found = SixCycles{}.judged();
+    EXPECT_EQ(found.lifted, 1U);
+    EXPECT_EQ(found.side_at_lift_off, right);
+    EXPECT_EQ(found.late, 0U);
+    EXPECT_DOUBLE_EQ(found.lead_s, 0.03);
+    EXPECT_DOUBLE_EQ(found.warning_s, 0.03);
+    EXPECT_DOUBLE_EQ(found.advisory_s, 0.01);
+    EXPECT_EQ(found.unavailable_s, 0.0);
+    EXPECT_EQ(found.wrong_side_s, 0.0);
+    EXPECT_EQ(found.warnings, 1U);
+    EXPECT_EQ(found.advisories, 1U);
+    EXPECT_EQ(found.largest_load_transfer_ratio, 1.0);
+}
+
+TEST(JudgeInterface, JudgesADriveWithoutLiftOff) {
+    SixCycles six;
+    six.drive.lift_off_time_s = none;
+    const judge_judgement found = six.judged();
+    EXPECT_EQ(found.lifted, 0U);
+    EXPECT_TRUE(std::isnan(found.lead_s));
+    EXPECT_EQ(found.warnings, 1U);
+    EXPECT_EQ(found.band, 3U);
+    six.ratios[4] = six.ratios[5] = -0.85;
+    EXPECT_EQ(six.judged().band, 2U);
+}
+
+TEST(JudgeInterface, KnowsALateWarningAndOneOfTheWrongSide) {
+    SixCycles six;
+    six.drive.lift_off_time_s = 0.015;
+    EXPECT_EQ(six.judged().late, 1U);
+    EXPECT_TRUE(std::isnan(six.judged().lead_s));
+    six.drive.lift_off_time_s = 0.05;
+    six.drive.falling_side = left;
+    EXPECT_TRUE(std::isnan(six.judged().lead_s));
+    six.sides.fill(left);
+    // Long enough for the load to have swung.
+    six.times_s = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0};
+    six.drive.lift_off_time_s = none;
+    EXPECT_DOUBLE_EQ(six.judged().wrong_side_s, 3.0);
+    six.states = {0, 0, 0, 1, 1, 1};
+    EXPECT_DOUBLE_EQ(six.judged().unavailable_s, 2.0);
+}
+
+TEST(JudgeInterface, MatchesAShareOfAlarms) {
+    const std::array<double, 3> thresholds{0.2, 0.9, 0.5};
+    EXPECT_EQ(judge_matched_threshold(3U, thresholds.data(), 0.4), 0.5);
+}
+
 TEST(JudgeInterface, CountsByVehicle) {
     const std::array<std::size_t, 2> counts{1U, 3U};
     const std::array<std::size_t, 2> totals{4U, 4U};

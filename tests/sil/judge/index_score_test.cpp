@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "sil/files/calibration_file.hpp"
 
@@ -56,6 +57,17 @@ class Course {
  private:
     sil::IndexCourse course_;
 };
+
+TEST(MatchedThreshold, AlarmsInAtLeastTheShare) {
+    const std::vector<double> thresholds{0.2, 0.9, 0.4, 0.7, 0.0};
+    EXPECT_EQ(sil::matched_threshold(thresholds, 0.2), 0.9);
+    EXPECT_EQ(sil::matched_threshold(thresholds, 0.4), 0.7);  // 0.4 * 5 is not quite 2
+    EXPECT_EQ(sil::matched_threshold(thresholds, 0.41), 0.4);
+    EXPECT_EQ(sil::matched_threshold(thresholds, 2.0), 1.0e-9);
+    EXPECT_EQ(sil::matched_threshold(thresholds, 0.0), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(sil::matched_threshold({}, 0.5), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(sil::matched_threshold(thresholds, 1.0), 1.0e-9);  // not 0, at which an index would warn always
+}
 
 // The threshold that is found lies within a step of the level that was reached.
 void expect_reached(double threshold, double level) {
