@@ -65,6 +65,37 @@ def plain_name(name):
     return name.replace("(anonymous namespace)::", "").split("(", 1)[0].split(" [clone", 1)[0]
 
 
+def short_name(name):
+    """Name of a function alone: no arguments, those of templates neither, no result, no anonymous namespace."""
+    kept, depth = "", 0
+    for character in name.replace("(anonymous namespace)::", "").split(" [clone", 1)[0]:
+        depth += character in "<("
+        if not depth:
+            kept += character
+        depth -= character in ">)"
+    return kept.removesuffix(" const").split(" ")[-1]
+
+
+def inline_places(path, addresses):
+    """For every address the functions that it is in with file and line, the innermost first: those inlined and the one
+    around them."""
+    text = "\n".join(f"{address:#x}" for address in addresses)
+    address, places, name = None, [], None
+    for line in run("addr2line", "-a", "-i", "-f", "-C", "-e", path, stdin=text).splitlines():
+        if line.startswith("0x"):
+            if address is not None:
+                yield address, places
+            address, places, name = int(line, 16), [], None
+        elif name is None:
+            name = line
+        else:
+            file, _, number = line.split(" ", 1)[0].rpartition(":")
+            places.append((short_name(name), file, int(number) if number.isdigit() else 0))
+            name = None
+    if address is not None:
+        yield address, places
+
+
 def inline_frames(path, addresses):
     """For every address the functions that it is in, the innermost first: those inlined and the one around them."""
     text = "\n".join(f"{address:#x}" for address in addresses)

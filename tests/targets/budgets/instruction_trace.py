@@ -59,6 +59,7 @@ class _Block:
     """Instructions that are executed one after the other."""
 
     def __init__(self, program, addresses):
+        self.addresses = addresses
         last = addresses[-1]
         mnemonic = program.mnemonics[last]
         self.start = addresses[0]
@@ -122,7 +123,20 @@ def _executed_blocks(lines, program, processor):
         yield begun
 
 
-def read(lines, program, roots, processor=0):
+class NoWatch:
+    """Follows the calls of the roots and of what they call, block by block; this one does nothing with them."""
+
+    def enter(self):
+        pass
+
+    def leave(self):
+        pass
+
+    def executed(self, addresses):
+        pass
+
+
+def read(lines, program, roots, processor=0, watch=NoWatch()):
     """The calls of `roots` (symbols of the image), one after the other."""
     absent = [root for root in roots if root not in program.functions]
     if absent:
@@ -136,11 +150,13 @@ def read(lines, program, roots, processor=0):
         if frames:
             if block.start == frames[-1][0]:
                 frames.pop()
+                watch.leave()
                 if not frames:
                     calls.append(_summary(program, root, executed))
                     executed.clear()
             elif before.ends_with_call and block.start != before.after:
                 frames.append((before.after, frames[-1][1] | before.last_mask))
+                watch.enter()
             elif block.begins_function and before.last_function != block.start:
                 # The function before ended with a jump into this one.
                 frames[-1] = (frames[-1][0], frames[-1][1] | before.last_mask)
@@ -149,7 +165,9 @@ def read(lines, program, roots, processor=0):
             if not before.ends_with_call:
                 raise TraceError(f"{root} was entered without a call")
             frames.append((before.after, 0))
+            watch.enter()
         if frames:
+            watch.executed(block.addresses)
             executed[block, frames[-1][1]] += 1
         before = block
     if frames:

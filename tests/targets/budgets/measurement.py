@@ -14,6 +14,9 @@ import image_size
 import image_symbols
 import instruction_trace
 import library_stack
+import loop_table
+import loop_watch
+import path_bound
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parents[2]
@@ -34,6 +37,7 @@ CYCLE = "rsi::application::RolloverEcu::step"
 # The same with XCP and diagnosis linked and not connected; code executed only in a cycle in which a trouble code
 # changes or the trouble memory is stored.
 CYCLE_WITH_ACCESSES = "budgets::EcuWithAccesses::cycle"
+RESET = "_ZN3rsi9Component5resetERK14rsi_parameters"
 EVENTS = ["rsi::diagnosis::TroubleMemory::take_change", "rsi::diagnosis::KeptData::store"]
 ECU_LIBRARIES = ("librsi.a", "librsi_application.a")
 ACCESS_LIBRARIES = {
@@ -81,6 +85,15 @@ def floor_operations():
     raise BudgetError("budgets_floor_test no longer prints its count of operations")
 
 
+def loop_bounds():
+    return loop_table.LoopTable((HERE / "loop_bounds.toml").read_text(), PROJECT)
+
+
+def unused_bounds(measurements):
+    """Bounds of loops that are in no image."""
+    return loop_bounds().unused(set().union(*(m.used_bounds for m in measurements)))
+
+
 class Figures:
     """Least, mean and most of some counts."""
 
@@ -113,6 +126,19 @@ def check_trace(where, counts, calls):
             )
 
 
+def check_paths(where, problems):
+    """Every path must have a bound, and what is executed must keep to it."""
+    problems = list(problems)
+    if problems:
+        raise BudgetError(f"{where}: " + "; ".join(problems))
+
+
+def check_bound(where, most, bound):
+    """A call must not execute more instructions than the longest path has."""
+    if most > bound:
+        raise BudgetError(f"{where} took {most} instructions, and its longest path has {bound}")
+
+
 def check_stack(where, painted, bound):
     """A call must not use more stack than its bound, nor so little that the two cannot be of the same program."""
     if not 0.5 * bound <= painted <= bound:
@@ -128,18 +154,21 @@ class Measurement:
         self._folder = PROJECT / "build" / target
         self._scratch = RECORDINGS / target
         self._scratch.mkdir(parents=True, exist_ok=True)
+        self._loop_table = loop_bounds()
+        self.loops = {}  # bound, most turns that were traced and reason of each, by function and line of source
 
     def take(self):
         self.steps = self._drives("steps", traced=True)
         self.search = self._drives("search", traced=False)
         self._least_squares()
         logs = (*MANOEUVRES, FAULTY_LOG)
-        self.cycles = {log: self._cycle(log, "replay_frames", CYCLE, functions_of("cycle")) for log in logs}
+        self._cycles(logs)
         self.access_cycles = {log: self._cycle(log, "replay_with_accesses", CYCLE_WITH_ACCESSES, EVENTS) for log in logs}
         self._memory()
         self._access_memory()
         self._contents()
         self._exported()
+        self._check_bounds()
         return self
 
     # Counts.
@@ -162,7 +191,7 @@ class Measurement:
             raise BudgetError(f"{ticks} ticks on {self.target} are no whole number of instructions")
         return count
 
-    def _trace(self, program, roots, names, *arguments):
+    def _trace(self, program, roots, names, *arguments, watch=instruction_trace.NoWatch()):
         """The calls of the functions `roots` in a run of the program, with what is within `names`."""
         log = self._scratch / f"{program}.trace"
         elf = self._folder / f"targets/{program}.elf"
@@ -172,7 +201,7 @@ class Measurement:
         self._run(program, *arguments, trace=log.name)
         try:
             with open(log, encoding="ascii", errors="replace") as lines:
-                return instruction_trace.read(lines, known, roots, self._facts["processor"])
+                return instruction_trace.read(lines, known, roots, self._facts["processor"], watch)
         finally:
             log.unlink()
 
@@ -182,7 +211,7 @@ class Measurement:
         words = self._words("counts.bin")
         calls = None
         if traced:
-            calls = self._trace("steps", ["rsi_step"], functions_of("step"), path, "traced.bin", "trace")
+            calls = self._traced_steps(path)
         drives, at, step = {}, 1, 0
         for drive in json.loads((RECORDINGS / f"{recording}.json").read_text()):
             steps = drive["steps"]
@@ -196,6 +225,47 @@ class Measurement:
             at, step = at + steps + 1, step + steps
         return drives
 
+    def _traced_steps(self, path):
+        """The calls of rsi_step, with the bounds by the longest path, which what is executed must keep to."""
+        image, bounds = self._bounded("steps", "rsi_step", "rsi_init", RESET)
+        self.step_bound, self.init_bound, self.reset_bound = bounds
+        watch = loop_watch.Watch(image)
+        roots = ["rsi_step", "rsi_init"]
+        calls = self._trace("steps", roots, functions_of("step"), path, "traced.bin", "trace", watch=watch)
+        self._compare_paths("steps", image, watch)
+        self.step_bound_as_turned = image.bound_with("rsi_step", watch.executed_turns())
+        self.init_most = max(call.instructions for call in calls if call.root == "rsi_init")
+        return [call for call in calls if call.root == "rsi_step"]
+
+    def _cycles(self, logs):
+        root = self._symbol("replay_frames", CYCLE)
+        image, (self.cycle_bound,) = self._bounded("replay_frames", root)
+        watch = loop_watch.Watch(image)
+        self.cycles = {log: self._cycle(log, "replay_frames", CYCLE, functions_of("cycle"), watch) for log in logs}
+        self._compare_paths("replay_frames", image, watch)
+        self.cycle_bound_as_turned = image.bound_with(root, watch.executed_turns())
+
+    def _bounded(self, program, *functions):
+        """The image of a program and the bounds of some of its functions."""
+        image = path_bound.Image(self._folder / f"targets/{program}.elf", self._loop_table, PROJECT)
+        bounds = [image.bound(function) for function in functions]
+        check_paths(f"{program} on {self.target}", [*self._loop_table.problems, *image.problems.values()])
+        return image, bounds
+
+    def _compare_paths(self, program, image, watch):
+        for header, loop in image.loops.items():
+            self.loops.setdefault((loop.name, loop.code), []).append((loop.times, watch.most[header], loop.reason))
+        check_paths(f"{program} on {self.target}", watch.problems())
+
+    def _check_bounds(self):
+        self.used_bounds = self._loop_table.used
+        for steps in (*self.steps.values(), *self.search.values()):
+            check_bound(f"rsi_step on {self.target}", max(steps.counts), self.step_bound)
+        for steps in self.cycles.values():
+            check_bound(f"RolloverEcu::step on {self.target}", max(steps.counts), self.cycle_bound)
+        check_bound(f"rsi_init on {self.target}", self.init_most, self.init_bound)
+        check_bound(f"Component::reset on {self.target}", self.reset, self.reset_bound)
+
     def _least_squares(self):
         calls = self._trace("least_squares", ["update_firmware", "update_textbook"], [], "../regressions.bin")
         self.firmware_update, self.textbook_update = (
@@ -203,13 +273,16 @@ class Measurement:
             for name in ("update_firmware", "update_textbook")
         )
 
-    def _cycle(self, log, program, root_name, names):
-        """Cycles of the whole ECU on recorded sensor frames."""
+    def _symbol(self, program, name):
         symbols = binary_tools.functions(self._folder / f"targets/{program}.elf")
-        root = next(s for s, name in zip(symbols, binary_tools.demangled(symbols)) if name == root_name)
+        return next(symbol for symbol, its_name in zip(symbols, binary_tools.demangled(symbols)) if its_name == name)
+
+    def _cycle(self, log, program, root_name, names, watch=instruction_trace.NoWatch()):
+        """Cycles of the whole ECU on recorded sensor frames."""
+        root = self._symbol(program, root_name)
         files = "../cycle.parameters", "sensors.log", "ecu.log"
         shutil.copyfile(LOGS / f"{log}.sensors.log", self._scratch / files[1])
-        calls = self._trace(program, [root], names, *files)
+        calls = self._trace(program, [root], names, *files, watch=watch)
         if (self._scratch / files[2]).read_bytes() != (LOGS / f"{log}.ecu.log").read_bytes():
             raise BudgetError(f"{self.target} answers {log} otherwise than recorded; see tests/run targets")
         return Steps([call.instructions for call in calls], calls)

@@ -93,7 +93,9 @@ def _instructions(table, measurements, operations):
         {target: [figures[3] / figures[1]] for target, figures in default.items()},
         "step_most_over_mean",
     )
+    _bounds_of_step(table, measurements, default)
     table.row("Component::reset(), in place of init within a cycle", {m.target: [m.reset] for m in measurements})
+    table.row("· bound by its longest path", {m.target: [m.reset_bound] for m in measurements}, "reset_bound")
     table.row(
         "the reset over the most expensive step",
         {m.target: [m.reset / default[m.target][3]] for m in measurements},
@@ -107,6 +109,27 @@ def _instructions(table, measurements, operations):
     table.row("step, published estimator", published)
     _stages(table, measurements, "published")
     _update(table, measurements, operations, published)
+
+
+def _bounds_of_step(table, measurements, default):
+    """Upper bounds by path analysis, of either estimator."""
+    bounds = {m.target: [m.step_bound] for m in measurements}
+    table.row("bound by the longest path, either estimator", bounds, "step_bound")
+    table.row(
+        "· over the most expensive step that was found",
+        {m.target: [m.step_bound / default[m.target][3]] for m in measurements},
+        "step_bound_over_most",
+    )
+    as_turned = {m.target: [m.step_bound_as_turned] for m in measurements}
+    table.row("· with no more turns of each loop than were traced", as_turned)
+
+
+def _init(table, measurements):
+    table.heading("Instructions of rsi_init()")
+    table.row("init", {m.target: [m.init_most] for m in measurements}, "init_most")
+    table.row("bound by the longest path", {m.target: [m.init_bound] for m in measurements}, "init_bound")
+    ratios = {m.target: [m.init_bound / m.init_most] for m in measurements}
+    table.row("· over the most expensive init that was found", ratios)
 
 
 def _stages(table, measurements, estimator):
@@ -136,6 +159,13 @@ def _cycles(table, measurements):
         return {m.target: _of_cycles(m, values) for m in measurements}
 
     table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
+    bounds = {m.target: [m.cycle_bound] for m in measurements}
+    table.row("bound by the longest path, most frames received", bounds, "cycle_bound")
+    most = figures_of(lambda s: s.counts)
+    ratios = {m.target: [m.cycle_bound / most[m.target][3]] for m in measurements}
+    table.row("· over the most expensive cycle that was found", ratios)
+    as_turned = {m.target: [m.cycle_bound_as_turned] for m in measurements}
+    table.row("· with no more turns of each loop than were traced", as_turned)
     _parts(table, "cycle", figures_of, "order")
     table.row(
         "more with XCP and diagnosis, not connected",
@@ -223,10 +253,30 @@ def indirect_calls(measurements):
     return f"\nThe library makes no indirect call. The application makes its virtual calls, of hal/interface, in {callers}.\n"
 
 
+def loops(measurements):
+    """All loops of the traced calls with their bounds: how often a loop's first instruction is executed each time the
+    loop is entered."""
+    lines = [
+        "\nLoops of `rsi_step`, `rsi_init`, `RolloverEcu::step` and what they call, each with the most executions of its "
+        "first instruction each time it is entered: as bounded, and as traced.\n",
+        "| function | loop | R5F bound | traced | M4F bound | traced | bound by |",
+        "| -------- | ---- | --------: | -----: | --------: | -----: | -------- |",
+    ]
+    for function, code in sorted({key for m in measurements for key in m.loops}):
+        found = {m.target: m.loops.get((function, code), []) for m in measurements}
+        cells = [f"`{function}`", f"`{code}`".replace("|", "\\|")]
+        for target in TARGETS:
+            cells += [_number(max((loop[i] for loop in found[target]), default=None)) for i in (0, 1)]
+        reasons = {reason: None for target in TARGETS for _, _, reason in found[target]}
+        lines.append("| " + " | ".join([*cells, "; ".join(reasons)]) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def make(measurements, operations, held_to):
     """The table of both targets."""
     table = Table(held_to)
     _instructions(table, measurements, operations)
+    _init(table, measurements)
     _cycles(table, measurements)
     _memory(table, measurements)
     _access_memory(table, measurements)

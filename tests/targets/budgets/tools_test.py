@@ -243,6 +243,21 @@ class Table(unittest.TestCase):
         self.assertIn(limits.OVER, result.markdown())
 
 
+class Loops(unittest.TestCase):
+    def test_a_row_shows_the_bound_and_what_was_traced_on_each_target(self):
+        class Measured:
+            def __init__(self, target, loops):
+                self.target, self.loops = target, loops
+
+        both = [
+            Measured("cortex-r5f", {("f", "for (;;) {"): [(5, 2, "counted"), (7, 1, "counted")]}),
+            Measured("cortex-m4f", {("f", "for (;;) {"): [(5, 5, "argument")], ("g", "a | b"): [(1, 0, "constant")]}),
+        ]
+        rows = table.loops(both).splitlines()[-2:]
+        self.assertEqual(rows[0], "| `f` | `for (;;) {` | 7 | 2 | 5 | 5 | counted; argument |")
+        self.assertEqual(rows[1], "| `g` | `a \\| b` |  |  | 1 | 0 | constant |")
+
+
 class Contradictions(unittest.TestCase):
     def test_trace_and_counter_must_agree(self):
         call = instruction_trace.Call("step")
@@ -252,6 +267,16 @@ class Contradictions(unittest.TestCase):
             measurement.check_trace("here", [101], [call])
         with self.assertRaisesRegex(measurement.BudgetError, "2 steps, the trace 1"):
             measurement.check_trace("here", [100, 100], [call])
+
+    def test_a_path_without_a_bound_or_beyond_it_is_refused(self):
+        measurement.check_paths("steps", [])
+        with self.assertRaisesRegex(measurement.BudgetError, "^steps: a loop without a bound; a turn too many$"):
+            measurement.check_paths("steps", iter(["a loop without a bound", "a turn too many"]))
+
+    def test_a_call_must_not_be_dearer_than_its_bound(self):
+        measurement.check_bound("step", 100, 100)
+        with self.assertRaisesRegex(measurement.BudgetError, "step took 101 .* 100"):
+            measurement.check_bound("step", 101, 100)
 
     def test_the_painted_stack_must_be_within_the_bound(self):
         measurement.check_stack("step", 100, 100)
