@@ -33,21 +33,18 @@ std::vector<Fault> faults_of(const SensorSignal& signal) {
         faults.push_back({FaultKind::offset, signal.place, share * signal.offset * signal.unit_si});
     }
     faults.push_back({FaultKind::saturated, signal.place, 1.0});
-    std::vector<Fault> all;
-    for (const Fault& fault : faults) {
-        const std::vector<Fault> signs = in_each_sign(fault);
-        all.insert(all.end(), signs.begin(), signs.end());
-    }
-    return all;
+    return faults;
 }
 
 std::vector<Fault> all_bursts() {
-    std::vector<Fault> all;
+    std::vector<std::vector<Fault>> lists;
     for (const SensorSignal& signal : sensor_signals) {
-        const std::vector<Fault> faults = faults_of(signal);
-        all.insert(all.end(), faults.begin(), faults.end());
+        lists.push_back(faults_of(signal));
     }
-    for (const std::vector<Fault>& faults : {mass_faults(), coupled_faults()}) {
+    lists.push_back(mass_faults());
+    lists.push_back(coupled_faults());
+    std::vector<Fault> all;
+    for (const std::vector<Fault>& faults : lists) {
         for (const Fault& fault : faults) {
             const std::vector<Fault> signs = in_each_sign(fault);
             all.insert(all.end(), signs.begin(), signs.end());

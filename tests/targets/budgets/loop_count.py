@@ -10,8 +10,8 @@ _CALL = re.compile(rf"blx?(?:{_CONDITIONS})?")
 _CALLED = ("r0", "r1", "r2", "r3", "ip", "lr")  # that a called function may change
 _READS = re.compile(r"(str(?!ex)|stm|push|cmp|cmn|tst|teq|vcmp|vst|vpush|b|cb|nop|it|pld|dmb|dsb|isb)")
 _READS_BUT = ("bic", "bfc", "bfi")
-_TWO = re.compile(r"(ldrd|[us]mull|[us]mlal|vmov)")
-_ALL = re.compile(r"(mcr|mrc|cdp|ldc|stc|strex|swp|cps|msr)")
+_TWO = re.compile(r"(ldrd|ldrexd|[us]mull|[us]mlal|umaal|smls?ld|vmov)")
+_ALL = re.compile(r"(mcr|mrr?c|cdp|ldc|stc|strex|swp|cps|msr)")
 _SETS_FLAGS = re.compile(rf"cmp|cmn|tst|teq|vmrs|msr|{_CALL.pattern}$|(?!v)\w*s(?:{_CONDITIONS})?$")
 _ON_EQUAL_OR_NOT = re.compile(r"b(eq|ne)(?:\.[nw])?")
 

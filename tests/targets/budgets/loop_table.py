@@ -16,8 +16,12 @@ class LoopTable:
         """An entry has a reason, and the constant that it rests on stands in the source."""
         if not entry.get("reason"):
             yield f"loop_bounds.toml gives no reason for {entry['function']}"
-        if "source" in entry and entry["constant"] not in (self._project / entry["source"]).read_text():
-            yield f"the bound of {entry['function']} rests on `{entry['constant']}`, which is not in {entry['source']}"
+        if "source" in entry:
+            source = self._project / entry["source"]
+            if not source.is_file():
+                yield f"the bound of {entry['function']} rests on {entry['source']}, which is not there"
+            elif entry["constant"] not in source.read_text():
+                yield f"the bound of {entry['function']} rests on `{entry['constant']}`, which is not in {entry['source']}"
 
     def _find(self, kind, **wanted):
         for number, (its_kind, entry) in enumerate(self._entries):

@@ -95,7 +95,7 @@ def _instructions(table, measurements, operations):
     )
     _bounds_of_step(table, measurements, default)
     table.row("Component::reset(), in place of init within a cycle", {m.target: [m.reset] for m in measurements})
-    table.row("· bound by its longest path", {m.target: [m.reset_bound] for m in measurements}, "reset_bound")
+    table.row("· upper bound", {m.target: [m.reset_bound] for m in measurements}, "reset_bound")
     table.row(
         "the reset over the most expensive step",
         {m.target: [m.reset / default[m.target][3]] for m in measurements},
@@ -114,20 +114,20 @@ def _instructions(table, measurements, operations):
 def _bounds_of_step(table, measurements, default):
     """Upper bounds by path analysis, of either estimator."""
     bounds = {m.target: [m.step_bound] for m in measurements}
-    table.row("bound by the longest path, either estimator", bounds, "step_bound")
+    table.row("upper bound, either estimator", bounds, "step_bound")
     table.row(
         "· over the most expensive step that was found",
         {m.target: [m.step_bound / default[m.target][3]] for m in measurements},
         "step_bound_over_most",
     )
     as_turned = {m.target: [m.step_bound_as_turned] for m in measurements}
-    table.row("· with no more turns of each loop than were traced", as_turned)
+    table.row("· each loop as often as traced", as_turned)
 
 
 def _init(table, measurements):
     table.heading("Instructions of rsi_init()")
     table.row("init", {m.target: [m.init_most] for m in measurements}, "init_most")
-    table.row("bound by the longest path", {m.target: [m.init_bound] for m in measurements}, "init_bound")
+    table.row("upper bound", {m.target: [m.init_bound] for m in measurements}, "init_bound")
     ratios = {m.target: [m.init_bound / m.init_most] for m in measurements}
     table.row("· over the most expensive init that was found", ratios)
 
@@ -160,12 +160,12 @@ def _cycles(table, measurements):
 
     table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
     bounds = {m.target: [m.cycle_bound] for m in measurements}
-    table.row("bound by the longest path, most frames received", bounds, "cycle_bound")
+    table.row("upper bound, most frames received", bounds, "cycle_bound")
     most = figures_of(lambda s: s.counts)
     ratios = {m.target: [m.cycle_bound / most[m.target][3]] for m in measurements}
     table.row("· over the most expensive cycle that was found", ratios)
     as_turned = {m.target: [m.cycle_bound_as_turned] for m in measurements}
-    table.row("· with no more turns of each loop than were traced", as_turned)
+    table.row("· each loop as often as traced", as_turned)
     _parts(table, "cycle", figures_of, "order")
     table.row(
         "more with XCP and diagnosis, not connected",

@@ -66,7 +66,10 @@ class Calibration(Mapping[str, "float | str"]):
         `changes`: values in place of the file's, such as `warning_on=1.05` or `warning_indicator="published"`.
         Raises Refused, with file, line and field, for what the component would refuse.
         """
-        path = _SHIPPED / f"{source}.toml" if source in CALIBRATIONS else pathlib.Path(source)
+        path = pathlib.Path(source)
+        if path.suffix == "" and len(path.parts) == 1 and not path.exists():
+            rows.known("calibration", str(source), CALIBRATIONS)
+            path = _SHIPPED / f"{source}.toml"
         texts = [f"{name}={value}" for name, value in changes.items()]
         values, refusal = np.zeros(1, interface.parameters()), ctypes.create_string_buffer(_ROOM)
         words = (ctypes.c_char_p * len(texts))(*(text.encode() for text in texts))
@@ -163,6 +166,7 @@ class Run:
 
     def score(self, index: str, truth: Truth) -> Score:
         """Largest thresholds at which an index, behind the component's own warning states, warns of this drive."""
+        truth.belongs_to(self.time_s)
         found = interface.library().component_index_score(
             self._course(index), truth.lift_s_or_nan, judge.SIDES[truth.falling_side]
         )
@@ -175,6 +179,7 @@ class Run:
 
     def lead_s(self, index: str, threshold: float, truth: Truth) -> float | None:
         """Lead of such a warning over two-wheel lift-off, in s; None: it does not warn, or nothing lifts."""
+        truth.belongs_to(self.time_s)
         lead_s = interface.library().component_index_lead_s(
             self._course(index), threshold, truth.lift_s_or_nan, judge.SIDES[truth.falling_side]
         )

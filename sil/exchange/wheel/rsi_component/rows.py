@@ -14,8 +14,10 @@ LARGEST_JITTER_S = 0.003
 LARGEST_DRIFT = 0.001  # of the mean step, as a share
 HOLD = (
     "resample first, by holding the newest value: grid = numpy.arange(time_s[0], time_s[-1], 0.01); "
-    'newest = numpy.searchsorted(time_s, grid + 1e-6, side="right") - 1; then give grid, and x[newest] for each x'
+    'newest = numpy.searchsorted(time_s, grid + 1e-6, side="right") - 1; then give grid, and x[newest] for each x, '
+    "NaN where grid - time_s[newest] is longer than your sensor may be silent"
 )
+MILLISECONDS = 1000.0 * STEP_S  # step of times that are in ms
 
 
 def known(kind: str, name: str, names: Iterable[str]) -> None:
@@ -51,6 +53,8 @@ def times(time_s: npt.ArrayLike) -> npt.NDArray[np.float64]:
         raise Refused(
             f"time_s does not increase at row {row}: {array[row]}; give the rows in their order, each with a time in s"
         )
+    if len(steps) and abs(float(np.median(steps)) - MILLISECONDS) < 0.5 * MILLISECONDS:
+        raise Refused(f"time_s: rows are {np.median(steps):.6g} apart, as in ms; give seconds: time_s / 1000")
     odd = np.flatnonzero(np.abs(steps - STEP_S) > LARGEST_JITTER_S)
     if len(odd):
         row = int(odd[0]) + 1

@@ -92,3 +92,8 @@ class Truth:
             raise Refused(
                 f"load_transfer_ratio has {len(self.load_transfer_ratio)} rows, the run has {len(time_s)}; give as many"
             )
+        if self.two_wheel_lift_s is not None and not time_s[0] <= self.two_wheel_lift_s <= time_s[-1]:
+            raise Refused(
+                f"two wheels lift at {self.two_wheel_lift_s:.6g} s, but the run is from {time_s[0]:.6g} to "
+                f"{time_s[-1]:.6g} s; give both on one clock"
+            )
