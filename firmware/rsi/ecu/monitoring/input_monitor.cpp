@@ -30,6 +30,12 @@ constexpr float everyday_force_mps2 = 3.5F;
 constexpr float largest_fine_step_mps = 0.05F;
 constexpr float further_than_any_reference = 1.0e6F;
 
+// Codes of sensors that say nothing of the accelerometer's mean. Those in which it may itself be the wrong
+// one are not among them: what it is corrected by may end them.
+constexpr CodeSet teaches_no_offset =
+    set_of(DiagnosticCode::lateral_acceleration_stuck, DiagnosticCode::roll_angle_stuck,
+           DiagnosticCode::yaw_rate_stuck, DiagnosticCode::speed_stuck, row::reference, row::yaw_rate);
+
 // Bank of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
@@ -82,7 +88,9 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     const TravelDirection direction = direction_;          // a stall turns no vehicle round
     const StartingAngle starting_angle = starting_angle_;  // an angle that was right before may be large now
     const MassCheck mass = mass_;
+    const LateralOffset lateral_offset = lateral_offset_;
     *this = InputMonitor{};
+    lateral_offset_ = lateral_offset;
     mass_ = mass;
     mass_.start(parameters);
     starting_angle_ = starting_angle;
@@ -104,11 +112,16 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
     const bool all_are_references = (memory.active_codes() & no_reference_codes) == 0U;
-    const rsi::Inputs references = all_are_references ? inputs : references_of(inputs, memory.active_codes());
-    check_stuck(references, memory);
+    rsi::Inputs references = all_are_references ? inputs : references_of(inputs, memory.active_codes());
+    check_stuck(references,
+                memory);  // as it came: a changing correction would hide a value that repeats itself
+    const float offset = lateral_offset_.correction_mps2();
+    references.lateral_specific_force_mps2 -= offset;
+    qualified.lateral_specific_force_mps2 -= offset;
     const bool contradicted = (memory.confirmed_codes() & roll_contradictions) != 0U;
     Symptoms seen = roll_symptoms(references, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
     seen |= turn_symptoms(references, before);
+    seen |= offset_symptoms(references, before, memory.confirmed_codes());
     seen |= vertical_symptoms(references, before);
     seen |= reference_symptoms(references, before);
     seen |= observer_symptoms(inputs, before);
@@ -283,6 +296,20 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
            symptom_if(force_vote_.accelerometer_is_alone(), Symptom::lateral_alone) |
            symptom_if(force_vote_.accelerometer_is_suspect(), Symptom::lateral_suspect) |
            symptom_if(slow_vehicle_.lateral_acceleration_is_impossible(), Symptom::slow_vehicle_beyond);
+}
+
+// Without a roll motion to compare with, the yaw rate decides alone.
+Symptoms InputMonitor::offset_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                                       CodeSet confirmed) noexcept {
+    const bool all_are_good = (confirmed & teaches_no_offset) == 0U;
+    if (turn_consistency_.known() && all_are_good && (before.state != RSI_STATE_WARNING)) {
+        const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
+        const float beyond_yaw = inputs.lateral_specific_force_mps2 - turn;
+        const LateralForces& forces = force_vote_.forces();
+        lateral_offset_.update(turn, beyond_yaw,
+                               force_vote_.known() ? forces.shown_mps2 - forces.by_roll_mps2 : beyond_yaw);
+    }
+    return symptom_if(lateral_offset_.is_beyond(), Symptom::lateral_offset_beyond);
 }
 
 // Ignores an invalidated roll angle, and wheel speed during a slide, as at the end of a spin.
