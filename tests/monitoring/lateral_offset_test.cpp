@@ -240,11 +240,10 @@ TEST_F(AVehicle, LearnsNothingWhileItWarnsOrIsSlow) {
 
 TEST_F(AVehicle, LearnsNothingFromASensorThatIsKnownToBeWrong) {
     offset_mps2 = 1.0F;
-    for (const DiagnosticCode code :
-         {DiagnosticCode::lateral_acceleration_stuck, DiagnosticCode::roll_angle_stuck,
-          DiagnosticCode::yaw_rate_stuck, DiagnosticCode::speed_stuck,
-          DiagnosticCode::roll_angle_reference_wrong,
-          DiagnosticCode::yaw_rate_contradicts_lateral_acceleration}) {
+    for (const DiagnosticCode code : {DiagnosticCode::lateral_acceleration_stuck,
+                                      DiagnosticCode::roll_angle_stuck, DiagnosticCode::yaw_rate_stuck,
+                                      DiagnosticCode::speed_stuck, DiagnosticCode::roll_angle_reference_wrong,
+                                      DiagnosticCode::yaw_rate_contradicts_lateral_acceleration}) {
         monitor = {};
         monitor.start(suv);
         memory = {};

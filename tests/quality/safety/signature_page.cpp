@@ -46,6 +46,8 @@ constexpr std::array<SymptomText, symptom_count> symptom_texts{{
     {Symptom::gain_valid, "gain valid", "turn and roll force valid, roll angle in use"},
     {Symptom::gain_beyond, "gain beyond",
      "too weak or too strong for both, in turns to both sides or clearly"},
+    {Symptom::lateral_offset_beyond, "lateral offset beyond",
+     "its mean over minutes is beyond both yaw rate times speed and roll force, by more than is corrected"},
     {Symptom::slow_vehicle_beyond, "slow vehicle beyond", "more than turn, road and sway of a slow vehicle"},
     {Symptom::roll_valid, "roll valid", "roll angle and roll rate for 0.2 s"},
     {Symptom::roll_beyond_short, "roll beyond, short", "they come apart within 0.2 s, and no road twists so"},

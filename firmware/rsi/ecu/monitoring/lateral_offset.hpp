@@ -7,10 +7,10 @@
 namespace rsi::monitoring {
 
 // Straight on for minutes, neither a slide nor a turn is left of what the accelerometer shows beyond yaw rate
-// times speed: only the road's bank, the yaw rate's own offset, and that of the accelerometer, as of a housing
-// that is mounted askew. A bank rolls the body by as much as the accelerometer shows, an offset does not; a
-// wrong zero of the roll angle, a load on one side and a wind from the side turn no vehicle. Only what both
-// references miss on the same side is the accelerometer's.
+// times speed: only the road's bank, the yaw rate's own offset, and that of the accelerometer, as of a
+// housing that is mounted askew. A bank rolls the body by as much as the accelerometer shows, an offset does
+// not; a wrong zero of the roll angle, a load on one side and a wind from the side turn no vehicle. Only what
+// both references miss on the same side is the accelerometer's.
 class LateralOffset {
  public:
     // One sample: what the accelerometer, corrected, shows beyond yaw rate times speed (`turn_mps2`), and
@@ -64,10 +64,8 @@ class LateralOffset {
         const bool is_tolerated = offset <= tolerance_mps2;
         is_beyond_ = offset > (is_beyond_ ? within_mps2 : beyond_mps2);
         learnt_mps2_ = is_tolerated ? 0.0F : side * offset;
-        correction_mps2_ =
-            rsi::clamp_magnitude(is_tolerated ? 0.0F
-                                              : side * rsi::smaller(offset, 2.0F * (offset - tolerance_mps2)),
-                                 beyond_mps2);
+        correction_mps2_ = rsi::clamp_magnitude(
+            is_tolerated ? 0.0F : side * rsi::smaller(offset, 2.0F * (offset - tolerance_mps2)), beyond_mps2);
     }
 
     float by_yaw_mps2_{0.0F};  // means
