@@ -138,7 +138,7 @@ TEST(ALateralOffset, DoesNotGoOnFromWhatIsOutOfRange) {
 
 // Straight on at 25 m/s with an accelerometer of that offset, every frame fresh; all signals alternate by
 // their noise.
-class AVehicle : public ::testing::Test {
+class ADrivenAccelerometer : public ::testing::Test {
  protected:
     AVehicle() {
         monitor.start(suv);
@@ -185,14 +185,14 @@ class AVehicle : public ::testing::Test {
     bool is_stuck{false};
 };
 
-TEST_F(AVehicle, GetsItsAccelerometerCorrected) {
+TEST_F(ADrivenAccelerometer, GetsItsAccelerometerCorrected) {
     offset_mps2 = 1.0F;
     drive(10 * cycles_in_a_minute);
     EXPECT_NEAR(correction(), 1.0F, 0.03F);
     EXPECT_EQ(memory.confirmed_codes(), 0U);
 }
 
-TEST_F(AVehicle, LosesAnAccelerometerThatIsFurtherOff) {
+TEST_F(ADrivenAccelerometer, LosesAnAccelerometerThatIsFurtherOff) {
     offset_mps2 = -1.5F;
     drive(cycles_in_a_minute);
     EXPECT_FALSE(confirmed());
@@ -206,20 +206,20 @@ TEST_F(AVehicle, LosesAnAccelerometerThatIsFurtherOff) {
 }
 
 // The bank of a road without end.
-TEST_F(AVehicle, LearnsNothingFromABankThatRollsItsBody) {
+TEST_F(ADrivenAccelerometer, LearnsNothingFromABankThatRollsItsBody) {
     bank_mps2 = 1.0F;
     drive(10 * cycles_in_a_minute);
     EXPECT_EQ(correction(), 0.0F);
 }
 
-TEST_F(AVehicle, LearnsNothingFromAWrongZeroOfItsRollAngle) {
+TEST_F(ADrivenAccelerometer, LearnsNothingFromAWrongZeroOfItsRollAngle) {
     roll_zero_rad = -0.03F;
     drive(10 * cycles_in_a_minute);
     EXPECT_EQ(correction(), 0.0F);
 }
 
 // Then the yaw rate decides alone.
-TEST_F(AVehicle, LearnsWithoutARollSensor) {
+TEST_F(ADrivenAccelerometer, LearnsWithoutARollSensor) {
     offset_mps2 = -0.8F;
     roll_zero_rad = nan;
     before.roll_source = RSI_ROLL_OBSERVER;
@@ -227,7 +227,7 @@ TEST_F(AVehicle, LearnsWithoutARollSensor) {
     EXPECT_NEAR(correction(), -0.8F, 0.03F);
 }
 
-TEST_F(AVehicle, LearnsNothingWhileItWarnsOrIsSlow) {
+TEST_F(ADrivenAccelerometer, LearnsNothingWhileItWarnsOrIsSlow) {
     offset_mps2 = 1.0F;
     before.state = RSI_STATE_WARNING;
     drive(10 * cycles_in_a_minute);
@@ -238,7 +238,7 @@ TEST_F(AVehicle, LearnsNothingWhileItWarnsOrIsSlow) {
     EXPECT_EQ(correction(), 0.0F);
 }
 
-TEST_F(AVehicle, LearnsNothingFromASensorThatIsKnownToBeWrong) {
+TEST_F(ADrivenAccelerometer, LearnsNothingFromASensorThatIsKnownToBeWrong) {
     offset_mps2 = 1.0F;
     for (const DiagnosticCode code : {DiagnosticCode::lateral_acceleration_stuck,
                                       DiagnosticCode::roll_angle_stuck, DiagnosticCode::yaw_rate_stuck,
@@ -258,7 +258,7 @@ TEST_F(AVehicle, LearnsNothingFromASensorThatIsKnownToBeWrong) {
 }
 
 // A stall turns no housing.
-TEST_F(AVehicle, KeepsWhatIsLearntOverAStall) {
+TEST_F(ADrivenAccelerometer, KeepsWhatIsLearntOverAStall) {
     offset_mps2 = 1.0F;
     drive(10 * cycles_in_a_minute);
     const float corrected = correction();
@@ -268,7 +268,7 @@ TEST_F(AVehicle, KeepsWhatIsLearntOverAStall) {
 }
 
 // The correction changes in every cycle, but a value that repeats itself is still one.
-TEST_F(AVehicle, FindsAStuckAccelerometerThatIsCorrected) {
+TEST_F(ADrivenAccelerometer, FindsAStuckAccelerometerThatIsCorrected) {
     offset_mps2 = 1.0F;
     drive(4 * cycles_in_a_minute);
     ASSERT_GT(correction(), 0.5F);
@@ -282,7 +282,7 @@ TEST_F(AVehicle, FindsAStuckAccelerometerThatIsCorrected) {
     EXPECT_TRUE(memory.confirmed(DiagnosticCode::lateral_acceleration_stuck));
 }
 
-TEST_F(AVehicle, StartsFromWhatTheTripBeforeHasLearnt) {
+TEST_F(ADrivenAccelerometer, StartsFromWhatTheTripBeforeHasLearnt) {
     EXPECT_TRUE(monitor.restore_offset(-1.0F));
     EXPECT_FALSE(monitor.restore_offset(4.0F));
     offset_mps2 = -1.0F;

@@ -79,8 +79,8 @@ Result drive(const Course& course, const Errors& errors, double seconds = twenty
         const double time_s = 0.01 * cycle;
         const Road road = course(time_s);
         const double force_mps2 = road.turn_mps2 + gravity_mps2 * std::sin(road.bank_rad);
-        const double held_rad = laden_kgm * (force_mps2 + errors.rolling_mps2) /
-                                (stiffness_nmprad - laden_kgm * gravity_mps2);
+        const double held_rad =
+            laden_kgm * (force_mps2 + errors.rolling_mps2) / (stiffness_nmprad - laden_kgm * gravity_mps2);
         const double roll_radps = (held_rad - angle_rad) / 0.1;
         const double bank_radps = (road.bank_rad - bank_rad) / 0.01;
         bank_rad = road.bank_rad;
@@ -90,8 +90,8 @@ Result drive(const Course& course, const Errors& errors, double seconds = twenty
         const double along_body_mps2 = force_mps2 * std::cos(angle_rad) + gravity_mps2 * std::sin(angle_rad);
         inputs.lateral_specific_force_mps2 =
             static_cast<float>(along_body_mps2 + errors.lateral_mps2(time_s) + noise(0.1));
-        inputs.vertical_specific_force_mps2 =
-            static_cast<float>(gravity_mps2 - force_mps2 * angle_rad - road.turn_mps2 * road.bank_rad + noise(0.1));
+        inputs.vertical_specific_force_mps2 = static_cast<float>(gravity_mps2 - force_mps2 * angle_rad -
+                                                                 road.turn_mps2 * road.bank_rad + noise(0.1));
         inputs.roll_rate_radps = static_cast<float>(roll_radps - bank_radps + noise(0.005));
         inputs.roll_angle_rad = static_cast<float>(angle_rad + errors.roll_angle_rad + noise(0.003));
         inputs.yaw_rate_radps = static_cast<float>(direction * road.turn_mps2 / road.speed_mps +
@@ -112,9 +112,10 @@ Result drive(const Course& course, const Errors& errors, double seconds = twenty
             result.code_s == 0.0) {
             result.code_s = time_s;
         }
-        const auto others = memory.confirmed_codes() &
-                            ~rsi::monitoring::set_of(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
-                                                     DiagnosticCode::roll_angle_lost);
+        const auto others =
+            memory.confirmed_codes() &
+            ~rsi::monitoring::set_of(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
+                                     DiagnosticCode::roll_angle_lost);
         result.has_another_code = result.has_another_code || others != 0U;
     }
     return result;
