@@ -140,7 +140,7 @@ TEST(ALateralOffset, DoesNotGoOnFromWhatIsOutOfRange) {
 // their noise.
 class ADrivenAccelerometer : public ::testing::Test {
  protected:
-    AVehicle() {
+    ADrivenAccelerometer() {
         monitor.start(suv);
         before.state = RSI_STATE_READY;
         before.roll_source = RSI_ROLL_SENSOR;
