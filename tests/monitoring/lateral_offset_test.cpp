@@ -25,10 +25,10 @@ constexpr int many = 20 * cycles_in_a_minute;  // ten time constants
 
 // An accelerometer that is wrong by so much to the one reference and to the other.
 struct Memory {
-    void drive(int cycles, float by_yaw_mps2, float by_roll_mps2, float turn_mps2 = 0.0F) {
+    void drive(int cycles, float by_yaw_mps2, float by_roll_mps2) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
             const float correction = offset.correction_mps2();
-            offset.update(turn_mps2, by_yaw_mps2 - correction, by_roll_mps2 - correction);
+            offset.update(by_yaw_mps2 - correction, by_roll_mps2 - correction);
         }
     }
     void drive(int cycles, float by_both_mps2) { drive(cycles, by_both_mps2, by_both_mps2); }
@@ -101,19 +101,24 @@ TEST(ALateralOffset, TakesMinutes) {
     EXPECT_EQ(memory.offset.correction_mps2(), 0.0F) << "and forgets as it has learnt";
 }
 
-TEST(ALateralOffset, LearnsNothingFromATurnASlideOrWhatIsNotAvailable) {
-    Memory memory;
-    for (const float turn_mps2 : {1.51F, -1.51F, nan}) {
-        memory.drive(many, 1.0F, 1.0F, turn_mps2);
+TEST(ALateralOffset, LearnsNearlyStraightOn) {
+    for (const float side : {1.0F, -1.0F}) {
+        EXPECT_TRUE(LateralOffset::learns_at(side * 1.49F));
+        EXPECT_FALSE(LateralOffset::learns_at(side * 1.51F));
     }
+    EXPECT_FALSE(LateralOffset::learns_at(nan));
+}
+
+TEST(ALateralOffset, LearnsNothingFromASlideOrWhatIsNotAvailable) {
+    Memory memory;
     for (const float other : {3.01F, -3.01F, nan}) {
         memory.drive(many, other, 1.0F);
         memory.drive(many, 1.0F, other);
     }
     EXPECT_EQ(memory.offset.correction_mps2(), 0.0F);
-    memory.drive(many, 1.0F, 1.0F, -1.49F);
+    memory.drive(many, 1.0F);
     EXPECT_GT(memory.offset.correction_mps2(), 0.0F);
-    memory.drive(many, -2.99F, -2.99F, 1.49F);
+    memory.drive(many, -2.99F);
     EXPECT_LT(memory.offset.correction_mps2(), 0.0F);
 }
 
@@ -225,6 +230,16 @@ TEST_F(ADrivenAccelerometer, LearnsWithoutARollSensor) {
     before.roll_source = RSI_ROLL_OBSERVER;
     drive(10 * cycles_in_a_minute);
     EXPECT_NEAR(correction(), -0.8F, 0.03F);
+}
+
+TEST_F(ADrivenAccelerometer, LearnsNothingInATurn) {
+    offset_mps2 = 1.0F;
+    turn_mps2 = 1.6F;
+    drive(10 * cycles_in_a_minute);
+    EXPECT_EQ(correction(), 0.0F);
+    turn_mps2 = 1.4F;
+    drive(10 * cycles_in_a_minute);
+    EXPECT_GT(correction(), 0.9F);
 }
 
 TEST_F(ADrivenAccelerometer, LearnsNothingWhileItWarnsOrIsSlow) {

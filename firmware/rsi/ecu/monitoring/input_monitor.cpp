@@ -301,13 +301,11 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
 // Without a roll motion to compare with, the yaw rate decides alone.
 Symptoms InputMonitor::offset_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before,
                                        CodeSet confirmed) noexcept {
-    const bool all_are_good = (confirmed & teaches_no_offset) == 0U;
-    if (turn_consistency_.known() && all_are_good && (before.state != RSI_STATE_WARNING)) {
-        const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
+    const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
+    if (LateralOffset::learns_at(turn) && turn_consistency_.known() &&
+        ((confirmed & teaches_no_offset) == 0U) && (before.state != RSI_STATE_WARNING)) {
         const float beyond_yaw = inputs.lateral_specific_force_mps2 - turn;
-        const LateralForces& forces = force_vote_.forces();
-        lateral_offset_.update(turn, beyond_yaw,
-                               force_vote_.known() ? forces.shown_mps2 - forces.by_roll_mps2 : beyond_yaw);
+        lateral_offset_.update(beyond_yaw, force_vote_.known() ? force_vote_.beyond_roll_mps2() : beyond_yaw);
     }
     return symptom_if(lateral_offset_.is_beyond(), Symptom::lateral_offset_beyond);
 }

@@ -13,14 +13,17 @@ namespace rsi::monitoring {
 // both references miss on the same side is the accelerometer's.
 class LateralOffset {
  public:
-    // One sample: what the accelerometer, corrected, shows beyond yaw rate times speed (`turn_mps2`), and
-    // beyond the force that rolls the body. One that is not finite, of a turn, or too large for an offset
-    // teaches nothing.
-    void update(float turn_mps2, float beyond_yaw_mps2, float beyond_roll_mps2) noexcept {
+    // Whether such a turn (yaw rate times speed) is straight enough to learn from.
+    static constexpr bool learns_at(float turn_mps2) noexcept {
+        return rsi::is_within_magnitude(turn_mps2, straight_mps2);
+    }
+
+    // One sample: what the accelerometer, corrected, shows beyond yaw rate times speed, and beyond the force
+    // that rolls the body. One that is not finite, or too large for an offset, teaches nothing.
+    void update(float beyond_yaw_mps2, float beyond_roll_mps2) noexcept {
         const float by_yaw = beyond_yaw_mps2 + correction_mps2_;
         const float by_roll = beyond_roll_mps2 + correction_mps2_;
-        if (rsi::is_within_magnitude(turn_mps2, straight_mps2) &&
-            rsi::is_within_magnitude(by_yaw, largest_mps2) &&
+        if (rsi::is_within_magnitude(by_yaw, largest_mps2) &&
             rsi::is_within_magnitude(by_roll, largest_mps2)) {
             by_yaw_mps2_ += (rsi::sample_time_s / lag_s) * (by_yaw - by_yaw_mps2_);
             by_roll_mps2_ += (rsi::sample_time_s / lag_s) * (by_roll - by_roll_mps2_);
@@ -58,14 +61,20 @@ class LateralOffset {
 
     // Nothing up to the tolerance, and all of it from twice that on; no step between.
     void decide() noexcept {
-        const float least = rsi::smaller(rsi::absolute(by_yaw_mps2_), rsi::absolute(by_roll_mps2_));
-        const float offset = (by_yaw_mps2_ * by_roll_mps2_ > 0.0F) ? least : 0.0F;
+        if (rsi::is_within_magnitude(by_yaw_mps2_, tolerance_mps2) ||
+            rsi::is_within_magnitude(by_roll_mps2_, tolerance_mps2) ||
+            (by_yaw_mps2_ * by_roll_mps2_ < 0.0F)) {
+            learnt_mps2_ = 0.0F;
+            correction_mps2_ = 0.0F;
+            is_beyond_ = false;
+            return;
+        }
         const float side = (by_yaw_mps2_ > 0.0F) ? 1.0F : -1.0F;
-        const bool is_tolerated = offset <= tolerance_mps2;
-        is_beyond_ = offset > (is_beyond_ ? within_mps2 : beyond_mps2);
-        learnt_mps2_ = is_tolerated ? 0.0F : side * offset;
-        correction_mps2_ = rsi::clamp_magnitude(
-            is_tolerated ? 0.0F : side * rsi::smaller(offset, 2.0F * (offset - tolerance_mps2)), beyond_mps2);
+        const float size = rsi::smaller(side * by_yaw_mps2_, side * by_roll_mps2_);
+        const float corrected = rsi::smaller(size, 2.0F * (size - tolerance_mps2));
+        learnt_mps2_ = side * size;
+        correction_mps2_ = side * rsi::smaller(corrected, beyond_mps2);
+        is_beyond_ = size > (is_beyond_ ? within_mps2 : beyond_mps2);
     }
 
     float by_yaw_mps2_{0.0F};  // means
