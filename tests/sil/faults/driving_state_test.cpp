@@ -133,7 +133,7 @@ TEST(DrivingState, DrivesTenMinutesOrNoneBeforeTheSameTurn) {
     EXPECT_LT(largest(both[1], &SensorSample::lateral_acceleration_mps2, 0U, 60000U), 4.5);
 }
 
-// Of either sign; all of the accelerometer, and no more than seconds of driving can leave open.
+// One of either sign, each of them the accelerometer's alone.
 TEST(ALastingOffset, IsATurnedHousingOrABias) {
     const sil::SensorOptions usual = sil::recording_sensors(large_suv());
     double sum = 0.0;

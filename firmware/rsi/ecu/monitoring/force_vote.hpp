@@ -86,7 +86,7 @@ class ForceVote {
     // Whether the last sample was one; then the three forces.
     bool known() const noexcept { return known_; }
     const LateralForces& forces() const noexcept { return forces_; }
-    // What the accelerometer shows beyond the force that rolls the body.
+    // Excess of the accelerometer over the force that rolls the body.
     float beyond_roll_mps2() const noexcept { return against_roll_mps2_; }
 
     bool accelerometer_is_alone() const noexcept {

@@ -36,7 +36,7 @@ class LateralOffset {
     // More than a mounting or an ageing sensor explains: none of its values is to be used.
     bool is_beyond() const noexcept { return is_beyond_; }
 
-    // What the next trip is to start from; 0 while nothing is corrected.
+    // Offset that the next trip is to start from; 0 while nothing is corrected.
     float learnt_mps2() const noexcept { return learnt_mps2_; }
     // False, with nothing restored, for a value out of range.
     [[gnu::cold]] bool restore(float learnt_mps2) noexcept {
@@ -61,9 +61,9 @@ class LateralOffset {
 
     // Nothing up to the tolerance, and all of it from twice that on; no step between.
     void decide() noexcept {
-        if (rsi::is_within_magnitude(by_yaw_mps2_, tolerance_mps2) ||
-            rsi::is_within_magnitude(by_roll_mps2_, tolerance_mps2) ||
-            (by_yaw_mps2_ * by_roll_mps2_ < 0.0F)) {
+        const bool agree = by_yaw_mps2_ * by_roll_mps2_ > 0.0F;
+        if (!agree || rsi::is_within_magnitude(by_yaw_mps2_, tolerance_mps2) ||
+            rsi::is_within_magnitude(by_roll_mps2_, tolerance_mps2)) {
             learnt_mps2_ = 0.0F;
             correction_mps2_ = 0.0F;
             is_beyond_ = false;
