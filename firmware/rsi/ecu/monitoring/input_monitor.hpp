@@ -57,9 +57,8 @@ class InputMonitor {
     void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
     Symptoms roll_symptoms(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
     Symptoms isolation_symptoms(const rsi::Inputs& inputs) const noexcept;
-    Symptoms turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
-    Symptoms offset_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                             CodeSet confirmed) noexcept;
+    Symptoms turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before, CodeSet confirmed) noexcept;
+    void learn_offset(const rsi::Inputs& inputs, const rsi::Outputs& before, CodeSet confirmed) noexcept;
     Symptoms gain_symptoms(const rsi::Outputs& before) noexcept;
     Symptoms vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
     Symptoms reference_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
