@@ -281,7 +281,7 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
     force_vote_.assume_load(sure_load_excess(before));
     force_vote_.update(inputs, roll_angle, direction_.is_forward());
     if (LateralOffset::learns_at(yaw_acceleration)) {
-        learn_offset(inputs, before, confirmed);
+        learn_offset(inputs.lateral_specific_force_mps2 - yaw_acceleration, before, confirmed);
     }
     slow_vehicle_.update(inputs);
     const bool is_impossible =
@@ -302,12 +302,11 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
 }
 
 // Without a roll motion to compare with, the yaw rate decides alone.
-[[gnu::noinline]] void InputMonitor::learn_offset(const rsi::Inputs& inputs, const rsi::Outputs& before,
+[[gnu::noinline]] void InputMonitor::learn_offset(float beyond_yaw_mps2, const rsi::Outputs& before,
                                                   CodeSet confirmed) noexcept {
     if (((confirmed & teaches_no_offset) == 0U) && (before.state != RSI_STATE_WARNING)) {
-        const float beyond_yaw =
-            inputs.lateral_specific_force_mps2 - inputs.yaw_rate_radps * inputs.speed_mps;
-        lateral_offset_.update(beyond_yaw, force_vote_.known() ? force_vote_.beyond_roll_mps2() : beyond_yaw);
+        lateral_offset_.update(beyond_yaw_mps2,
+                               force_vote_.known() ? force_vote_.beyond_roll_mps2() : beyond_yaw_mps2);
     }
 }
 

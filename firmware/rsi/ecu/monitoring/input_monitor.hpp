@@ -58,7 +58,7 @@ class InputMonitor {
     Symptoms roll_symptoms(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
     Symptoms isolation_symptoms(const rsi::Inputs& inputs) const noexcept;
     Symptoms turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before, CodeSet confirmed) noexcept;
-    void learn_offset(const rsi::Inputs& inputs, const rsi::Outputs& before, CodeSet confirmed) noexcept;
+    void learn_offset(float beyond_yaw_mps2, const rsi::Outputs& before, CodeSet confirmed) noexcept;
     Symptoms gain_symptoms(const rsi::Outputs& before) noexcept;
     Symptoms vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
     Symptoms reference_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;

@@ -61,9 +61,9 @@ class LateralOffset {
 
     // Nothing up to the tolerance, and all of it from twice that on; no step between.
     void decide() noexcept {
-        const bool agree = by_yaw_mps2_ * by_roll_mps2_ > 0.0F;
-        if (!agree || rsi::is_within_magnitude(by_yaw_mps2_, tolerance_mps2) ||
-            rsi::is_within_magnitude(by_roll_mps2_, tolerance_mps2)) {
+        if (rsi::is_within_magnitude(by_yaw_mps2_, tolerance_mps2) ||
+            rsi::is_within_magnitude(by_roll_mps2_, tolerance_mps2) ||
+            !(by_yaw_mps2_ * by_roll_mps2_ > 0.0F)) {
             learnt_mps2_ = 0.0F;
             correction_mps2_ = 0.0F;
             is_beyond_ = false;
