@@ -254,6 +254,19 @@ TEST_F(Keeping, FailsNoLongerOnceARecordIsTaken) {
     EXPECT_FALSE(keeper.is_failing());
 }
 
+// As one of another layout, from before an update: its code must not stay because nothing new is learnt.
+TEST_F(Keeping, StoresInPlaceOfALostRecordThoughNothingIsNew) {
+    const std::array<std::uint8_t, 24> of_before{};
+    ASSERT_TRUE(storage.write(of_before.data(), of_before.size()));
+    keeper.restore(large_suv(), component, monitor, false);
+    ASSERT_TRUE(keeper.is_failing());
+    keep(component.learnt_load(), cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+    EXPECT_FALSE(keeper.is_failing());
+    keep(component.learnt_load(), 2 * cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+}
+
 // A component that refuses what was kept does not have it, so that it is new to the storage.
 TEST_F(Keeping, StoresAgainWhatAComponentHasNotTakenBack) {
     keep(learnt, cycles_in_a_minute);

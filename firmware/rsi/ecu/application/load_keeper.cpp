@@ -36,8 +36,8 @@ void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
     parameters_check_word_ = check_word_of(parameters);
 }
 
-// Stores a load that differs from the stored one and is certain enough, or an offset that differs, a minute
-// or more after the last store and when the memory's pace allows it.
+// Stores a load that differs from the stored one and is certain enough, an offset that differs, or either in
+// place of a record that is lost; a minute or more after the last store and when the memory's pace allows it.
 void LoadKeeper::keep(const rsi::LearntLoad& load, float lateral_offset_mps2) noexcept {
     hal::count_up(cycles_since_store_);
     if ((storage_ == nullptr) || (cycles_since_store_ < least_cycles_between_stores)) {
@@ -48,7 +48,7 @@ void LoadKeeper::keep(const rsi::LearntLoad& load, float lateral_offset_mps2) no
     const bool is_new_load = is_other_load && (load.excess_deviation < known_deviation);
     const bool is_new_offset =
         rsi::absolute(lateral_offset_mps2 - stored_.lateral_offset_mps2) > other_offset_mps2;
-    if ((!is_new_load && !is_new_offset) || !pace_.is_due()) {
+    if ((!is_new_load && !is_new_offset && !is_failing_) || !pace_.is_due()) {
         return;
     }
     const Learnt learnt{is_new_load ? load : stored_.load, lateral_offset_mps2};

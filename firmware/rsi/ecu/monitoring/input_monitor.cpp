@@ -113,8 +113,8 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
     const bool all_are_references = (memory.active_codes() & no_reference_codes) == 0U;
     rsi::Inputs references = all_are_references ? inputs : references_of(inputs, memory.active_codes());
-    check_stuck(references,
-                memory);  // as it came: a changing correction would hide a value that repeats itself
+    // As it came: a changing correction would hide a value that repeats itself.
+    check_stuck(references, memory);
     references.lateral_specific_force_mps2 -= lateral_offset_.correction_mps2();
     const bool contradicted = (memory.confirmed_codes() & roll_contradictions) != 0U;
     Symptoms seen = roll_symptoms(references, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
