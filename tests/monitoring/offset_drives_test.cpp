@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <vector>
 
 #include "rsi/component.hpp"
@@ -235,6 +236,10 @@ struct Wrong {
     double offset_mps2;
     bool has_roll_sensor;
 };
+// How a failing test shows it.
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << wrong.offset_mps2 << (wrong.has_roll_sensor ? "WithRollSensor" : "WithoutRollSensor");
+}
 class AnAccelerometerThatIsOff : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(AnAccelerometerThatIsOff, IsCorrectedOrFoundWithinTenMinutes) {
