@@ -21,8 +21,8 @@ class InProcessEcu {
                           const std::optional<rsi::LearntLoad>& learnt = std::nullopt)
         : ecu_{bus_.endpoint(0U), clock_, watchdog_} {
         if (learnt) {
-            const rsi::application::LoadRecord record =
-                rsi::application::write_load_record(*learnt, rsi::application::check_word_of(parameters));
+            const rsi::application::LoadRecord record = rsi::application::write_load_record(
+                {*learnt, 0.0F}, rsi::application::check_word_of(parameters));
             storage_.write(record.data(), record.size());
             ecu_.use_storage(storage_);
             ecu_.set_reset_reason(rsi::hal::ResetReason::outside);

@@ -23,6 +23,7 @@ extern "C" const unsigned char rsi_parameter_section[rsi::application::section::
 namespace testing_application {
 namespace {
 
+using rsi::application::Learnt;
 using rsi::application::load_record_length;
 using rsi::application::LoadKeeper;
 using rsi::application::LoadRecord;
@@ -32,26 +33,28 @@ constexpr rsi::LearntLoad learnt{0.4F, 0.02F, -0.1F};
 constexpr int cycles_in_a_minute = 6000;
 
 TEST(TheLoadsRecord, GivesBackWhatWasLearnt) {
-    const LoadRecord record = rsi::application::write_load_record(learnt, 77U);
-    rsi::LearntLoad read{};
+    const LoadRecord record = rsi::application::write_load_record({learnt, 0.7F}, 77U);
+    Learnt read{};
     ASSERT_TRUE(rsi::application::read_load_record(record, 77U, read));
-    EXPECT_EQ(read.excess, learnt.excess);
-    EXPECT_EQ(read.excess_deviation, learnt.excess_deviation);
-    EXPECT_EQ(read.offset_mps2, learnt.offset_mps2);
+    EXPECT_EQ(read.load.excess, learnt.excess);
+    EXPECT_EQ(read.load.excess_deviation, learnt.excess_deviation);
+    EXPECT_EQ(read.load.offset_mps2, learnt.offset_mps2);
+    EXPECT_EQ(read.lateral_offset_mps2, 0.7F);
 }
 
 // As the table of its places says, on every target.
 TEST(TheLoadsRecord, HasItsBytesInTheirPlaces) {
-    const LoadRecord record = rsi::application::write_load_record({1.0F, 0.25F, -2.0F}, 0x04030201U);
-    const std::array<std::uint8_t, 20> expected{'R',   'S',   'I', 'L', 1U,    2U,    3U, 4U, 0U, 0U,
-                                                0x80U, 0x3FU, 0U,  0U,  0x80U, 0x3EU, 0U, 0U, 0U, 0xC0U};
+    const LoadRecord record = rsi::application::write_load_record({{1.0F, 0.25F, -2.0F}, 0.5F}, 0x04030201U);
+    const std::array<std::uint8_t, 24> expected{'R', 'S', 'I',   'M',   1U, 2U, 3U,    4U,
+                                                0U,  0U,  0x80U, 0x3FU, 0U, 0U, 0x80U, 0x3EU,
+                                                0U,  0U,  0U,    0xC0U, 0U, 0U, 0U,    0x3FU};
     for (std::size_t byte = 0U; byte < expected.size(); ++byte) {
         EXPECT_EQ(record[byte], expected[byte]) << byte;
     }
 }
 
 TEST(TheLoadsRecord, IsNoneWithAnyByteChangedOrErased) {
-    const LoadRecord good = rsi::application::write_load_record(learnt, 77U);
+    const LoadRecord good = rsi::application::write_load_record({learnt, 0.0F}, 77U);
     EXPECT_TRUE(rsi::application::is_load_record(good));
     for (std::size_t byte = 0U; byte < good.size(); ++byte) {
         LoadRecord record = good;
@@ -66,16 +69,17 @@ TEST(TheLoadsRecord, IsNoneWithAnyByteChangedOrErased) {
 }
 
 TEST(TheLoadsRecord, IsRefusedOfOtherParameters) {
-    const LoadRecord record = rsi::application::write_load_record(learnt, 77U);
-    rsi::LearntLoad read{0.1F, 0.1F, 0.1F};
+    const LoadRecord record = rsi::application::write_load_record({learnt, 0.0F}, 77U);
+    Learnt read{{0.1F, 0.1F, 0.1F}, 0.1F};
     EXPECT_FALSE(rsi::application::read_load_record(record, 78U, read));
-    EXPECT_EQ(read.excess, 0.1F);
+    EXPECT_EQ(read.load.excess, 0.1F);
+    EXPECT_EQ(read.lateral_offset_mps2, 0.1F);
 }
 
 TEST(TheLoadsRecord, IsNoneWithoutItsMagicThoughItsChecksumIsGood) {
-    LoadRecord record = rsi::application::write_load_record(learnt, 77U);
+    LoadRecord record = rsi::application::write_load_record({learnt, 0.0F}, 77U);
     record[0] ^= 1U;
-    rsi::application::put_u32(record.data(), 20U, rsi::application::crc32(record.data(), 20U));
+    rsi::application::put_u32(record.data(), 24U, rsi::application::crc32(record.data(), 24U));
     EXPECT_FALSE(rsi::application::is_load_record(record));
 }
 
@@ -119,16 +123,17 @@ class Keeping : public ::testing::Test {
     Keeping() {
         component.init(large_suv());
         keeper.use(storage);
-        keeper.restore(large_suv(), component, true);
+        keeper.restore(large_suv(), component, monitor, true);
     }
-    void keep(const rsi::LearntLoad& load, int cycles) {
+    void keep(const rsi::LearntLoad& load, int cycles, float lateral_offset_mps2 = 0.0F) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
-            keeper.keep(load);
+            keeper.keep(load, lateral_offset_mps2);
         }
     }
 
     Storage storage{};
     rsi::Component component{};
+    rsi::monitoring::InputMonitor monitor{};
     LoadKeeper keeper{};
 };
 
@@ -166,16 +171,16 @@ TEST_F(Keeping, DoesNotStoreAgainWhatItHasBroughtBack) {
     ASSERT_EQ(restarted.init(large_suv()).accepted, 1);
     LoadKeeper other;
     other.use(storage);
-    other.restore(large_suv(), restarted, false);
+    other.restore(large_suv(), restarted, monitor, false);
     for (int cycle = 0; cycle < 2 * cycles_in_a_minute; ++cycle) {
-        other.keep(restarted.learnt_load());
+        other.keep(restarted.learnt_load(), 0.0F);
     }
     EXPECT_EQ(storage.writes(), 1U);
 }
 
 TEST_F(Keeping, WaitsForAMinuteAfterAStartToo) {
     keep(learnt, cycles_in_a_minute - 1);
-    keeper.restore(large_suv(), component, false);
+    keeper.restore(large_suv(), component, monitor, false);
     keep(learnt, cycles_in_a_minute - 1);
     EXPECT_EQ(storage.writes(), 0U);
 }
@@ -212,13 +217,13 @@ TEST_F(Keeping, TriesARefusingStorageEverMoreRarely) {
 TEST_F(Keeping, FailsWhereARecordCannotBeRead) {
     rsi_test::CutStorage unreadable;
     keeper.use(unreadable);
-    keeper.restore(large_suv(), component, false);
+    keeper.restore(large_suv(), component, monitor, false);
     EXPECT_FALSE(keeper.is_failing()) << "nothing was ever stored";
     unreadable.set_unreadable(true);
-    keeper.restore(large_suv(), component, false);
+    keeper.restore(large_suv(), component, monitor, false);
     EXPECT_TRUE(keeper.is_failing());
     unreadable.set_unreadable(false);
-    keeper.restore(large_suv(), component, false);
+    keeper.restore(large_suv(), component, monitor, false);
     EXPECT_FALSE(keeper.is_failing());
 }
 
@@ -227,10 +232,10 @@ TEST_F(Keeping, FailsWhereARecordIsDamagedAndNotWhereItIsOfOtherParameters) {
     keep(learnt, cycles_in_a_minute);
     rsi::Parameters others = large_suv();
     others.sprung_mass_kg += 1.0F;
-    keeper.restore(others, component, false);
+    keeper.restore(others, component, monitor, false);
     EXPECT_FALSE(keeper.is_failing());
     storage.damage(9U);
-    keeper.restore(large_suv(), component, false);
+    keeper.restore(large_suv(), component, monitor, false);
     EXPECT_TRUE(keeper.is_failing());
 }
 
@@ -239,7 +244,7 @@ TEST_F(Keeping, FailsNoLongerOnceARecordIsTaken) {
     lost.set_unreadable(true);
     lost.refuse(true);
     keeper.use(lost);
-    keeper.restore(large_suv(), component, false);
+    keeper.restore(large_suv(), component, monitor, false);
     keep(learnt, cycles_in_a_minute);
     ASSERT_EQ(lost.tries(), 1);
     EXPECT_TRUE(keeper.is_failing()) << "refused, it is as lost as it was";
@@ -249,12 +254,25 @@ TEST_F(Keeping, FailsNoLongerOnceARecordIsTaken) {
     EXPECT_FALSE(keeper.is_failing());
 }
 
+// As one of another layout, from before an update: its code must not stay because nothing new is learnt.
+TEST_F(Keeping, StoresInPlaceOfALostRecordThoughNothingIsNew) {
+    const std::array<std::uint8_t, 24> of_before{};
+    ASSERT_TRUE(storage.write(of_before.data(), of_before.size()));
+    keeper.restore(large_suv(), component, monitor, false);
+    ASSERT_TRUE(keeper.is_failing());
+    keep(component.learnt_load(), cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+    EXPECT_FALSE(keeper.is_failing());
+    keep(component.learnt_load(), 2 * cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+}
+
 // A component that refuses what was kept does not have it, so that it is new to the storage.
 TEST_F(Keeping, StoresAgainWhatAComponentHasNotTakenBack) {
     keep(learnt, cycles_in_a_minute);
     ASSERT_EQ(storage.writes(), 1U);
     rsi::Component not_started;
-    keeper.restore(large_suv(), not_started, false);
+    keeper.restore(large_suv(), not_started, monitor, false);
     EXPECT_EQ(not_started.learnt_load().excess, 0.0F);
     keep(learnt, cycles_in_a_minute);
     EXPECT_EQ(storage.writes(), 2U);
@@ -267,7 +285,7 @@ TEST_F(Keeping, StoresAgainAfterARestartWithOtherParameters) {
     rsi::Parameters other = large_suv();
     other.sprung_mass_kg += 1.0F;
     ASSERT_EQ(component.init(other).accepted, 1);
-    keeper.restore(other, component, false);
+    keeper.restore(other, component, monitor, false);
     EXPECT_EQ(component.learnt_load().excess, 0.0F);
     keep(learnt, cycles_in_a_minute);
     EXPECT_EQ(storage.writes(), 2U);
@@ -280,7 +298,7 @@ TEST_F(Keeping, StoresForTheParametersThatItFollows) {
     keep(learnt, cycles_in_a_minute);
     LoadRecord record{};
     ASSERT_EQ(storage.read(record.data(), record.size()), rsi::hal::Reading::stored);
-    rsi::LearntLoad read{};
+    Learnt read{};
     EXPECT_TRUE(rsi::application::read_load_record(record, rsi::application::check_word_of(other), read));
     EXPECT_FALSE(
         rsi::application::read_load_record(record, rsi::application::check_word_of(large_suv()), read));
@@ -293,7 +311,7 @@ TEST_F(Keeping, BringsItBackAfterARestartDoubtedOrNot) {
         ASSERT_EQ(restarted.init(large_suv()).accepted, 1);
         LoadKeeper other;
         other.use(storage);
-        other.restore(large_suv(), restarted, doubted);
+        other.restore(large_suv(), restarted, monitor, doubted);
         EXPECT_FLOAT_EQ(restarted.learnt_load().excess, (doubted ? 0.5F : 1.0F) * learnt.excess);
         EXPECT_EQ(restarted.learnt_load().excess_deviation > 0.15F, doubted);
     }
@@ -308,7 +326,7 @@ TEST_F(Keeping, BringsNothingBackOfOtherParametersOrFromADamagedRecord) {
         EXPECT_EQ(restarted.init(parameters).accepted, 1);
         LoadKeeper other;
         other.use(storage);
-        other.restore(parameters, restarted, false);
+        other.restore(parameters, restarted, monitor, false);
         return restarted.learnt_load().excess;
     };
     EXPECT_EQ(excess_after(others), 0.0F);
@@ -316,13 +334,69 @@ TEST_F(Keeping, BringsNothingBackOfOtherParametersOrFromADamagedRecord) {
     EXPECT_EQ(excess_after(large_suv()), 0.0F);
 }
 
+TEST_F(Keeping, StoresAnOffsetThatIsAnother) {
+    keep({}, 2 * cycles_in_a_minute, 0.099F);
+    EXPECT_EQ(storage.writes(), 0U);
+    keep({}, cycles_in_a_minute, -0.5F);
+    EXPECT_EQ(storage.writes(), 1U);
+    keep({}, 2 * cycles_in_a_minute, -0.59F);
+    EXPECT_EQ(storage.writes(), 1U);
+    keep({}, 1, -0.61F);
+    EXPECT_EQ(storage.writes(), 2U);
+    keep({}, cycles_in_a_minute, -0.5F);
+    EXPECT_EQ(storage.writes(), 3U);
+}
+
+// Each is stored as it was known, though only the other is new.
+TEST_F(Keeping, StoresTheLoadThatIsKnownWithAnOffsetAndTheOtherWayRound) {
+    const auto stored = [this] {
+        LoadRecord record{};
+        EXPECT_EQ(storage.read(record.data(), record.size()), rsi::hal::Reading::stored);
+        Learnt read{};
+        EXPECT_TRUE(rsi::application::read_load_record(record, keeper.parameters_check_word(), read));
+        return read;
+    };
+    keep(learnt, cycles_in_a_minute, 0.5F);
+    EXPECT_EQ(stored().load.excess, learnt.excess);
+    EXPECT_EQ(stored().lateral_offset_mps2, 0.5F);
+    keep({0.1F, 0.2F, 0.3F}, cycles_in_a_minute, 1.0F);
+    EXPECT_EQ(stored().load.excess, learnt.excess) << "not known";
+    EXPECT_EQ(stored().lateral_offset_mps2, 1.0F);
+    keep({0.1F, 0.02F, 0.3F}, cycles_in_a_minute, 1.05F);
+    EXPECT_EQ(stored().load.excess, 0.1F);
+    EXPECT_EQ(stored().lateral_offset_mps2, 1.05F);
+}
+
+TEST_F(Keeping, BringsTheOffsetBackEvenDoubtedAndDoesNotStoreItAgain) {
+    keep({}, cycles_in_a_minute, 0.8F);
+    keeper.restore(large_suv(), component, monitor, true);
+    EXPECT_EQ(monitor.lateral_offset().learnt_mps2(), 0.8F);
+    keep({}, 2 * cycles_in_a_minute, 0.8F);
+    EXPECT_EQ(storage.writes(), 1U);
+}
+
+TEST_F(Keeping, BringsNoOffsetBackThatIsOutOfRangeOrOfOtherParameters) {
+    keep({}, cycles_in_a_minute, 0.8F);
+    rsi::Parameters others = large_suv();
+    others.sprung_mass_kg += 1.0F;
+    keeper.restore(others, component, monitor, false);
+    EXPECT_EQ(monitor.lateral_offset().learnt_mps2(), 0.0F);
+    keeper.follow(large_suv());
+    keep({}, cycles_in_a_minute, 4.0F);
+    keeper.restore(large_suv(), component, monitor, false);
+    EXPECT_EQ(monitor.lateral_offset().learnt_mps2(), 0.0F);
+    keep({}, cycles_in_a_minute, 0.8F);
+    EXPECT_EQ(storage.writes(), 3U) << "what was not taken back is new";
+}
+
 TEST(AKeeperWithoutAStorage, DoesNothing) {
     rsi::Component component;
     ASSERT_EQ(component.init(large_suv()).accepted, 1);
+    rsi::monitoring::InputMonitor monitor;
     LoadKeeper keeper;
-    keeper.restore(large_suv(), component, true);
+    keeper.restore(large_suv(), component, monitor, true);
     for (int cycle = 0; cycle < 2 * cycles_in_a_minute; ++cycle) {
-        keeper.keep(learnt);
+        keeper.keep(learnt, 1.0F);
     }
     EXPECT_EQ(component.learnt_load().excess, 0.0F);
 }
@@ -335,9 +409,10 @@ class AnEcuWithAStorage {
         ecu_.set_reset_reason(reason);
     }
     // The load learnt before the start, with these parameters.
-    void had_learnt(const rsi::LearntLoad& load, const rsi::Parameters& parameters) {
-        const LoadRecord record =
-            rsi::application::write_load_record(load, rsi::application::check_word_of(parameters));
+    void had_learnt(const rsi::LearntLoad& load, const rsi::Parameters& parameters,
+                    float lateral_offset_mps2 = 0.0F) {
+        const LoadRecord record = rsi::application::write_load_record(
+            {load, lateral_offset_mps2}, rsi::application::check_word_of(parameters));
         EXPECT_TRUE(storage.write(record.data(), record.size()));
     }
     rsi::application::RolloverEcu& ecu() { return ecu_; }
@@ -380,6 +455,15 @@ TEST(TheEcu, StartsWithTheLoadThatItsStorageHoldsAndDoubtsItAfterALossOfPower) {
     EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::power_on), 0.5F * learnt.excess, 0.001F);
     EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::outside), learnt.excess, 0.001F);
     EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::data_abort), learnt.excess, 0.001F);
+}
+
+TEST(TheEcu, StartsWithTheOffsetOfItsAccelerometerAfterALossOfPowerToo) {
+    AnEcuWithAStorage unit{rsi::hal::ResetReason::power_on};
+    unit.had_learnt(learnt, large_suv(), 1.0F);
+    EXPECT_EQ(unit.ecu().init(large_suv()).accepted, 1);
+    unit.hear_all_sensors();
+    unit.ecu().step(0U);
+    EXPECT_NEAR(unit.ecu().inputs().lateral_specific_force_mps2, -1.0F, 0.01F);
 }
 
 TEST(TheEcu, ReportsAMemoryThatLosesRecords) {
@@ -445,10 +529,10 @@ TEST_P(ALoadThatIsPutOn, IsStoredAfterAMinute) {
     unit.ecu().step(0U);
     ASSERT_EQ(unit.storage.writes(), 2U);
     LoadRecord record{};
-    rsi::LearntLoad stored{};
+    Learnt stored{};
     ASSERT_EQ(unit.storage.read(record.data(), record.size()), rsi::hal::Reading::stored);
     ASSERT_TRUE(rsi::application::read_load_record(record, rsi::application::check_word_of(used), stored));
-    EXPECT_NEAR(stored.excess, 0.4F + 130.0F / 2060.0F, 0.001F);
+    EXPECT_NEAR(stored.load.excess, 0.4F + 130.0F / 2060.0F, 0.001F);
 }
 INSTANTIATE_TEST_SUITE_P(Parameters, ALoadThatIsPutOn, ::testing::Bool());
 

@@ -492,6 +492,11 @@ rsi::Inputs sample_of(float accelerometer_mps2, float by_yaw_mps2, float roll_an
     return inputs;
 }
 
+// One sample of a sensor whose angle is against the road, going forwards.
+void feed(rsi::monitoring::ForceVote& vote, const rsi::Inputs& inputs) {
+    vote.update(inputs, inputs.roll_angle_rad, true);
+}
+
 // Three estimates of the lateral force; the roll angle is given as the force under which the body takes it.
 class AForceVote : public ::testing::Test {
  protected:
@@ -505,7 +510,7 @@ class AForceVote : public ::testing::Test {
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), true);
+            feed(vote, sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)));
         }
         return vote.accelerometer_is_alone();
     }
@@ -552,7 +557,7 @@ TEST_F(AForceVote, TakesTheForceOfTheLoadedBody) {
 TEST_F(AForceVote, KnowsWhatTheAccelerometerShows80MillisecondsLater) {
     for (int sample = 0; sample < 200; ++sample) {
         const float force = 0.2F * static_cast<float>(sample);
-        vote.update(sample_of(force, force, roll_angle_rad(0.0F)), true);
+        feed(vote, sample_of(force, force, roll_angle_rad(0.0F)));
     }
     EXPECT_NEAR(vote.forces().shown_soon_mps2 - vote.forces().shown_mps2, 1.6F, 0.02F);
 }
@@ -589,7 +594,7 @@ TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
         EXPECT_FALSE(vote.roll_motion_agrees());
         alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), true);
+        feed(vote, sample_of(nan, 1.0F, roll_angle_rad(4.0F)));
         EXPECT_FALSE(vote.roll_motion_agrees());
     }
 }
@@ -622,7 +627,7 @@ TEST_F(AForceVote, SuspectsAnAccelerometerBeyondBothOthersBy1500MillimetresPerSe
         alone_after(300, sign * 5.55F, sign * 10.0F, sign * 4.0F);  // between them
         EXPECT_FALSE(vote.accelerometer_is_suspect());
     }
-    vote.update(sample_of(nan, 0.0F, 0.0F), true);
+    feed(vote, sample_of(nan, 0.0F, 0.0F));
     EXPECT_FALSE(vote.accelerometer_is_suspect());
 }
 
@@ -633,7 +638,7 @@ TEST_F(AForceVote, TellsTheForcesThatItCompares) {
     EXPECT_NEAR(vote.forces().shown_mps2, 5.0F, 1.0e-3F);
     EXPECT_NEAR(vote.forces().by_yaw_mps2, 3.0F, 1.0e-3F);
     EXPECT_NEAR(vote.forces().by_roll_mps2, 4.0F, 1.0e-3F);
-    vote.update(sample_of(nan, 0.0F, 0.0F), true);
+    feed(vote, sample_of(nan, 0.0F, 0.0F));
     EXPECT_FALSE(vote.known());
 }
 
@@ -650,7 +655,7 @@ TEST_F(AForceVote, TakesTheYawRateOfASlowVehicleForATurnToEitherSide) {
             inputs.speed_mps = speed_mps;
             inputs.yaw_rate_radps = 1.0F / speed_mps;
             for (int sample = 0; sample < 500; ++sample) {
-                vote.update(inputs, true);
+                feed(vote, inputs);
             }
             EXPECT_EQ(vote.accelerometer_is_alone(), turn.alone) << turn.shown_mps2 << " at " << speed_mps;
         }
@@ -663,7 +668,7 @@ TEST_F(AForceVote, TakesATurnToTheRightForOneToEitherSideAsWell) {
     inputs.speed_mps = 5.0F;
     inputs.yaw_rate_radps = -0.2F;
     for (int sample = 0; sample < 500; ++sample) {
-        vote.update(inputs, true);
+        feed(vote, inputs);
     }
     EXPECT_NEAR(vote.forces().by_yaw_mps2, 1.0F, 1e-3F);
 }
@@ -673,7 +678,7 @@ TEST_F(AForceVote, NeedsASpeedAndAYawRateHoweverSlowTheVehicleIs) {
         rsi::Inputs inputs = sample_of(10.0F, 0.0F, 0.0F);
         inputs.speed_mps = with_speed ? 1.0F : nan;
         inputs.yaw_rate_radps = with_speed ? nan : 0.0F;
-        vote.update(inputs, true);
+        feed(vote, inputs);
         EXPECT_FALSE(vote.known());
     }
 }
@@ -690,7 +695,7 @@ TEST_F(AForceVote, StartsAnewFarOverAndWithoutAReference) {
           Gap{10.0F, nan, 0.0F, 0.0F}, Gap{10.0F, 0.0F, nan, 0.0F}, Gap{10.0F, 0.0F, 0.0F, nan},
           Gap{infinity, 0.0F, 0.0F, 0.0F}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
-        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), true);
+        feed(vote, sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate));
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     }
@@ -709,7 +714,7 @@ TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) 
             for (int times = 0; times < 2; ++times) {
                 EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
                 EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
-                vote.update(sample_of(nan, 0.0F, 0.0F), true);
+                feed(vote, sample_of(nan, 0.0F, 0.0F));
             }
         }
     }
@@ -780,10 +785,8 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
             }
             const double at_imu_mps2 = force_mps2 + static_cast<double>(truck_.imu_x_m) * yaw_radps2 -
                                        static_cast<double>(truck_.imu_z_m) * acceleration_radps2;
-            vote.update(
-                sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
-                          static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
-                true);
+            feed(vote, sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
+                                 static_cast<float>(angle_rad), static_cast<float>(rate_radps)));
             if (sample >= 300) {
                 said.alone += vote.accelerometer_is_alone() ? 1 : 0;
                 said.agrees += vote.roll_motion_agrees() ? 1 : 0;
@@ -811,12 +814,12 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
     vote.start(truck_);
     const float angle_rad = 0.1F;
     for (int times = 0; times < 2; ++times) {
-        vote.update(sample_of(8.0F, 8.0F, angle_rad), true);  // yaws at 0.4 rad/s
+        feed(vote, sample_of(8.0F, 8.0F, angle_rad));  // yaws at 0.4 rad/s
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), true);
-        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), true);
+        feed(vote, sample_of(nan, 0.0F, 0.0F));
+        feed(vote, sample_of(8.0F, 0.0F, angle_rad, 0.6F));
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+        feed(vote, sample_of(nan, 0.0F, 0.0F));
     }
 }
 
@@ -830,9 +833,8 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     for (int sample = 0; sample < 110; ++sample) {
         angle_rad += 0.01F * rate_radps;
         const float held_mps2 = truck_.roll_stiffness_nmprad / truck_.sprung_mass_kg * angle_rad;
-        vote.update(sample_of(held_mps2 + damping_mps2, held_mps2 + damping_mps2, angle_rad, rate_radps),
-                    true);
-        without_damping.update(sample_of(held_mps2, held_mps2, angle_rad, rate_radps), true);
+        feed(vote, sample_of(held_mps2 + damping_mps2, held_mps2 + damping_mps2, angle_rad, rate_radps));
+        feed(without_damping, sample_of(held_mps2, held_mps2, angle_rad, rate_radps));
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
     EXPECT_FALSE(without_damping.roll_motion_agrees());
@@ -843,7 +845,7 @@ TEST_F(AForceVoteOfASwingingTruck, IsDampedAgainstTheRoad) {
     ForceVote vote;
     vote.start(truck_);
     for (int sample = 0; sample < 100; ++sample) {
-        vote.update(sample_of(0.0F, 0.0F, 0.0F, 0.33F), true);
+        feed(vote, sample_of(0.0F, 0.0F, 0.0F, 0.33F));
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
 }
@@ -856,7 +858,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothRefere
         rsi::Inputs inputs = sample_of(4.0F + truck_.imu_x_m, 0.0F, 0.0F);
         inputs.yaw_rate_radps = 0.01F * static_cast<float>(sample);
         inputs.speed_mps = 1.0F;
-        vote.update(inputs, true);
+        feed(vote, inputs);
     }
     EXPECT_TRUE(vote.accelerometer_is_alone());
 }
@@ -864,7 +866,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothRefere
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(10.0F, 0.0F, 0.0F), true);
+        feed(vote, sample_of(10.0F, 0.0F, 0.0F));
     }
     EXPECT_FALSE(vote.accelerometer_is_alone());
 }

@@ -143,7 +143,8 @@ TEST(TheSignatures, SetNoCodeForResidualsWithinOrNotJudged) {
         Symptom::leans_into_turn, Symptom::observer_valid, Symptom::observer_within, Symptom::vertical_within,
         Symptom::reference_valid, Symptom::load_valid);
     EXPECT_EQ(rsi::monitoring::setting_symptoms & innocent, 0U);
-    EXPECT_EQ(rsi::monitoring::setting_symptoms | innocent, symptoms(Symptom::count) - 1U);
+    EXPECT_EQ(rsi::monitoring::setting_symptoms | innocent,
+              ~rsi::monitoring::Symptoms{0U} >> (32U - static_cast<unsigned>(Symptom::count)));
 }
 
 }  // namespace

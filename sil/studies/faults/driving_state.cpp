@@ -5,6 +5,7 @@
 
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/everyday_turns.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 
 namespace sil {
 namespace {
@@ -12,6 +13,9 @@ namespace {
 constexpr double settled_s = 4.0;                   // from the start to a fault that is not there at once
 constexpr double ordinary_s = 8.0 * gentle_turn_s;  // whole turns
 constexpr double gathering_speed_s = 8.0;           // straight ahead, before the J-turn
+constexpr double ten_minutes_s = 600.0;
+constexpr std::uint64_t ordinary_driver = 3U;                 // seed
+constexpr double everyday_share = 0.75;                       // of the accelerations of all ordinary drivers
 constexpr double reset_s = ordinary_s - gentle_turn_s + 3.0;  // in the last of the turns
 static_assert(ordinary_s - settled_s >= 60.0, "a minute");
 
@@ -79,6 +83,19 @@ std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& ve
     long_state.ordinary_end = cycle_count(ordinary_s);
     long_state.with_frame_faults = false;
     add(states, minute, long_state);
+    return states;
+}
+
+std::vector<std::vector<DrivingState>> record_ten_minutes(const VehicleParameters& vehicle,
+                                                          const std::vector<SensorOptions>& sensors) {
+    const Manoeuvre j_turn = with_lead_in(find_manoeuvre("j-turn-110"), gathering_speed_s);
+    const Manoeuvre ordinary = ordinary_driving(ordinary_driver, ten_minutes_s, everyday_share);
+    States states(sensors.size());
+    add(states, record_drive(vehicle, j_turn, {}, sensors),
+        state("at once", "the ECU starts; straight ahead for 9 s, then the J-turn", 0.0));
+    add(states, record_drive(vehicle, with_lead_in(j_turn, ten_minutes_s, &ordinary), {}, sensors),
+        state("after ten minutes", "ordinary driving of 10 min, turns up to 0.3 g among it, before the same",
+              0.0));
     return states;
 }
 

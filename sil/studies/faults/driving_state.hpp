@@ -22,6 +22,11 @@ struct DrivingState : FaultedDrive {
 std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& vehicle,
                                                      const std::vector<SensorOptions>& sensors);
 
+// Before and after a memory of minutes can have learnt: the J-turn from power-on, and the same after ten
+// minutes of ordinary driving.
+std::vector<std::vector<DrivingState>> record_ten_minutes(const VehicleParameters& vehicle,
+                                                          const std::vector<SensorOptions>& sensors);
+
 // Further drives in which good sensors must set no code.
 std::vector<std::vector<DrivingState>> record_drives_of_good_sensors(
     const VehicleParameters& vehicle, const std::vector<SensorOptions>& sensors);

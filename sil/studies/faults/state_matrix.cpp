@@ -36,29 +36,33 @@ void inject_rows(StateMatrix& matrix, const DrivingState& state, const rsi::Para
     }
 }
 
-// In every state from the ECU's start on.
-void turn_housings(StateMatrix& matrix, const VehicleParameters& vehicle,
-                   const rsi::Parameters& calibration) {
-    const SensorOptions usual = recording_sensors(vehicle);
-    std::vector<SensorOptions> sensors{usual};
-    for (const TurnedHousing& each : turned_housings(usual)) {
+using Record = std::vector<std::vector<DrivingState>> (*)(const VehicleParameters& vehicle,
+                                                          const std::vector<SensorOptions>& sensors);
+
+// In every state from the ECU's start on. The states are those of the usual sensors.
+std::vector<DrivingState> try_lasting(const std::vector<TurnedHousing>& lasting, Record record,
+                                      const VehicleParameters& vehicle, const rsi::Parameters& calibration,
+                                      std::vector<StateRow>& rows) {
+    std::vector<SensorOptions> sensors{recording_sensors(vehicle)};
+    for (const TurnedHousing& each : lasting) {
         sensors.push_back(each.options);
-        matrix.rows.push_back({each.fault, {}, {}});
+        rows.push_back({each.fault, {}, {}});
     }
-    const std::vector<std::vector<DrivingState>> states = record_states(vehicle, sensors);
-    const std::size_t first = matrix.rows.size() + 1U - sensors.size();
-    for (std::size_t state = 0U; state < matrix.states.size(); ++state) {
+    const std::vector<std::vector<DrivingState>> states = record(vehicle, sensors);
+    const std::size_t first = rows.size() + 1U - sensors.size();
+    for (std::size_t state = 0U; state < states.front().size(); ++state) {
         const FaultyRun right = run_with_fault(states.front()[state], Fault{}, calibration);
         for (std::size_t index = 1U; index < sensors.size(); ++index) {
-            DrivingState turned = states[index][state];
-            turned.fault_begin = 0U;
-            StateRow& row = matrix.rows[first + index - 1U];
-            FaultyRun run = run_with_fault(turned, Fault{}, calibration);
+            DrivingState wrong = states[index][state];
+            wrong.fault_begin = 0U;
+            StateRow& row = rows[first + index - 1U];
+            FaultyRun run = run_with_fault(wrong, Fault{}, calibration);
             run.visible = 0U;
-            row.cells.push_back({{describe(row.fault), measure(turned, Fault{}, right, run),
-                                  silent_findings(turned, right, run)}});
+            row.cells.push_back({{describe(row.fault), measure(wrong, Fault{}, right, run),
+                                  silent_findings(wrong, right, run)}});
         }
     }
+    return states.front();
 }
 
 // The first set of sensors is the usual one.
@@ -108,7 +112,10 @@ StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parame
     for (const DrivingState& state : matrix.states) {
         inject_rows(matrix, state, calibration);
     }
-    turn_housings(matrix, vehicle, calibration);
+    const SensorOptions usual = recording_sensors(vehicle);
+    try_lasting(turned_housings(usual), record_states, vehicle, calibration, matrix.rows);
+    matrix.states_of_offsets =
+        try_lasting(lasting_offsets(usual), record_ten_minutes, vehicle, calibration, matrix.rows_of_offsets);
     for (const GoodSensors& each : good) {
         matrix.rows_of_good_sensors.push_back({Fault{}, each.name, {}});
     }
@@ -123,6 +130,7 @@ StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parame
 std::vector<CellFinding> findings_in(const StateMatrix& matrix) {
     std::vector<CellFinding> found;
     collect(matrix.rows, matrix.states, found);
+    collect(matrix.rows_of_offsets, matrix.states_of_offsets, found);
     collect(matrix.rows_of_good_sensors, matrix.states_of_good_sensors, found);
     return found;
 }

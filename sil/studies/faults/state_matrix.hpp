@@ -31,6 +31,8 @@ struct StateRow {
 struct StateMatrix {
     std::vector<DrivingState> states{};
     std::vector<StateRow> rows{};
+    std::vector<DrivingState> states_of_offsets{};
+    std::vector<StateRow> rows_of_offsets{};
     std::vector<DrivingState> states_of_good_sensors{};
     std::vector<StateRow> rows_of_good_sensors{};
 };

@@ -197,6 +197,32 @@ std::string detection_table(const StateMatrix& matrix) {
     return markdown(table);
 }
 
+// "630 ms before, +50", or what is said instead of a warning.
+std::string cell_of_offset(const Reaction& reaction) {
+    const std::string code =
+        reaction.code ? fmt::format("{} after {:.0f} s", reaction.code_name, *reaction.code / 1000.0) : "";
+    if (!reaction.lead) {
+        return reaction.code ? code : "no warning";
+    }
+    return fmt::format("{} ms before{}{}", *reaction.lead, code.empty() ? "" : "; ", code);
+}
+
+std::string offset_table(const StateMatrix& matrix) {
+    Table table;
+    table.columns = {{"failure"}};
+    for (const DrivingState& state : matrix.states_of_offsets) {
+        table.columns.push_back({state.name});
+    }
+    for (const StateRow& row : matrix.rows_of_offsets) {
+        std::vector<TableCell> cells{describe(row.fault)};
+        for (const StateCell& cell : row.cells) {
+            cells.emplace_back(cell_of_offset(cell.front().reaction));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return markdown(table);
+}
+
 std::string known_table() {
     Table table;
     table.columns = {{"finding"}, {"where"}, {"why"}};
@@ -227,6 +253,7 @@ std::string headline_of(const StateMatrix& matrix) {
         }
     };
     count(matrix.rows);
+    count(matrix.rows_of_offsets);
     count(matrix.rows_of_good_sensors);
     std::vector<std::string> parts;
     for (const auto& [kind, number] : kinds) {
@@ -252,6 +279,8 @@ std::string state_matrix_document(const StateMatrix& matrix) {
                           {"kinds", table("fault", matrix.rows, matrix.states, name_of_kind)},
                           {"by_state", table("state", matrix.rows, matrix.states, name_of_state)},
                           {"detection", detection_table(matrix)},
+                          {"offset_states", list_states(matrix.states_of_offsets, 0U)},
+                          {"offsets", offset_table(matrix)},
                           {"drives", list_states(matrix.states_of_good_sensors, matrix.states.size())},
                           {"good_sensors", table("sensors", matrix.rows_of_good_sensors,
                                                  matrix.states_of_good_sensors, name_of_sensors)},
@@ -263,6 +292,7 @@ std::string state_matrix_data(const StateMatrix& matrix) {
     columns.insert(columns.end(), reaction_columns().begin(), reaction_columns().end());
     columns.emplace_back("finding");
     return csv_header(columns) + "\n" + lines_of(matrix.rows, matrix.states) +
+           lines_of(matrix.rows_of_offsets, matrix.states_of_offsets) +
            lines_of(matrix.rows_of_good_sensors, matrix.states_of_good_sensors);
 }
 

@@ -17,4 +17,8 @@ struct TurnedHousing {
 // About x by 2, 4 and 6 deg, about z by 2, 6 and 30 deg, either way.
 std::vector<TurnedHousing> turned_housings(const SensorOptions& usual);
 
+// Those about x by 4 and 6 deg, and offsets of the lateral acceleration alone by 0.6, 1 and 1.5 m/s^2, either
+// way: an accelerometer that seconds of driving do not show to be wrong.
+std::vector<TurnedHousing> lasting_offsets(const SensorOptions& usual);
+
 }  // namespace sil

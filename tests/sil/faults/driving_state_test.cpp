@@ -118,6 +118,37 @@ TEST(GoodSensors, SeeTheSameDriveInAnotherWay) {
     }
 }
 
+// Long enough for a memory of minutes; the J-turn is the same.
+TEST(DrivingState, DrivesTenMinutesOrNoneBeforeTheSameTurn) {
+    const std::vector<DrivingState> both =
+        sil::record_ten_minutes(large_suv(), {sil::recording_sensors(large_suv())}).front();
+    ASSERT_EQ(both.size(), 2U);
+    for (const DrivingState& state : both) {
+        EXPECT_EQ(state.fault_begin, 0U);
+        EXPECT_EQ(state.fault_end, state.samples.size());
+        ASSERT_TRUE(state.two_wheel_lift);
+    }
+    EXPECT_NEAR(static_cast<double>(*both[1].two_wheel_lift - *both[0].two_wheel_lift), 60000.0, 30.0);
+    EXPECT_GT(largest(both[1], &SensorSample::lateral_acceleration_mps2, 0U, 60000U), 2.0);
+    EXPECT_LT(largest(both[1], &SensorSample::lateral_acceleration_mps2, 0U, 60000U), 4.5);
+}
+
+// One of either sign, each of them the accelerometer's alone.
+TEST(ALastingOffset, IsATurnedHousingOrABias) {
+    const sil::SensorOptions usual = sil::recording_sensors(large_suv());
+    double sum = 0.0;
+    const std::vector<sil::TurnedHousing> all = sil::lasting_offsets(usual);
+    ASSERT_EQ(all.size(), 10U);
+    for (const sil::TurnedHousing& each : all) {
+        const bool turned = each.fault.kind == sil::FaultKind::turned_about_x;
+        EXPECT_EQ(each.options.imu.tilt.roll_rad, turned ? each.fault.magnitude : 0.0);
+        EXPECT_EQ(each.options.imu.lateral_acceleration_mps2.bias,
+                  turned ? usual.imu.lateral_acceleration_mps2.bias : each.fault.magnitude);
+        sum += each.fault.magnitude;
+    }
+    EXPECT_NEAR(sum, 0.0, 1.0e-12);
+}
+
 // Gravity stands on the lateral axis; the rest, the noise among it, is as of the usual sensors.
 TEST(ATurnedHousing, TurnsBothAccelerationsTogether) {
     const sil::SensorOptions usual = sil::recording_sensors(large_suv());

@@ -105,7 +105,7 @@ void RolloverEcu::report_stored_section(ParametersRefusal refusal) noexcept {
 }
 
 void RolloverEcu::start_checks() noexcept {
-    restore_load();
+    restore_learnt();
     calibration_.checksum = load_keeper_.parameters_check_word();
     component_guard_.keep(component_);
     parameter_guard_.start(parameters_);
@@ -129,8 +129,9 @@ void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
 }
 
 // After a warm reset the load is unchanged; after power-on it may have changed.
-void RolloverEcu::restore_load() noexcept {
-    load_keeper_.restore(parameters_, component_, reset_reason_ == hal::ResetReason::power_on);
+void RolloverEcu::restore_learnt() noexcept {
+    load_keeper_.restore(parameters_, component_, input_monitor_,
+                         reset_reason_ == hal::ResetReason::power_on);
 }
 
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
@@ -153,7 +154,7 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
         component_guard_.keep(component_);
     }
     if (healthy) {
-        load_keeper_.keep(component_.learnt_load());
+        load_keeper_.keep(component_.learnt_load(), input_monitor_.lateral_offset().learnt_mps2());
     }
 
     report.degradation =

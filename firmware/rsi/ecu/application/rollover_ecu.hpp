@@ -64,8 +64,8 @@ class RolloverEcu {
     // load is trusted less, because the vehicle may have been loaded meanwhile.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
 
-    // Before init, on a platform with non-volatile memory: keeps the learnt load there. `storage` must
-    // outlive the ECU.
+    // Before init, on a platform with non-volatile memory: keeps there what it learns of the load and of
+    // the lateral accelerometer. `storage` must outlive the ECU.
     void use_storage(hal::Storage& storage) noexcept { load_keeper_.use(storage); }
 
     // Before the first cycle, on a platform that can store a section: `refusal` is the reason for which the
@@ -123,7 +123,7 @@ class RolloverEcu {
  private:
     [[gnu::cold]] void start_component(const std::uint8_t* section,
                                        const ParameterSectionAnswer& answer) noexcept;
-    [[gnu::cold]] void restore_load() noexcept;
+    [[gnu::cold]] void restore_learnt() noexcept;
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
     void report_reception(const ReceptionReport& reception) noexcept;
     void report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept;

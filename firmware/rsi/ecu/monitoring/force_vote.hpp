@@ -40,22 +40,22 @@ class ForceVote {
         }
     }
 
-    // One sample; one that is not finite, or of a body far over, starts anew. `forward`: the yaw rate has the
-    // sign of the turn.
-    void update(const rsi::Inputs& inputs, bool forward) noexcept {
+    // One sample, and the roll angle against the road; one that is not finite, or of a body far over, starts
+    // anew. `forward`: the yaw rate has the sign of the turn.
+    void update(const rsi::Inputs& inputs, float roll_angle_rad, bool forward) noexcept {
         // At the IMU turning adds to the force, and rolling needs a force for the inertia: both are a
         // rate of change, which through the lag is what the lag has yet to follow, over its time.
         const float imu = (imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps) / lag_s;
         const float inertia = (force_per_acceleration_m_ / lag_s) * inputs.roll_rate_radps;
         const float damping = force_per_rate_mps_ * inputs.roll_rate_radps;
-        const float held = force_per_angle_mps2_ * inputs.roll_angle_rad + damping;
+        const float held = force_per_angle_mps2_ * roll_angle_rad + damping;
         // The dampers feel the body's rate against the road: that of the angle. The roll rate has the bank's
         // as well, which a road that twists makes as large as that.
-        const float road_damping = (force_per_rate_mps_ / lag_s) * inputs.roll_angle_rad;
+        const float road_damping = (force_per_rate_mps_ / lag_s) * roll_angle_rad;
         const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
         const float by_yaw = force_by_yaw(turn, inputs, forward);
         const bool knew = known_;
-        known_ = rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
+        known_ = rsi::is_within_magnitude(roll_angle_rad, 0.15F) &&
                  rsi::is_finite(inputs.lateral_specific_force_mps2 + turn + imu + held);
         if (!known_) {
             return;
@@ -86,6 +86,8 @@ class ForceVote {
     // Whether the last sample was one; then the three forces.
     bool known() const noexcept { return known_; }
     const LateralForces& forces() const noexcept { return forces_; }
+    // Excess of the accelerometer over the force that rolls the body.
+    float beyond_roll_mps2() const noexcept { return against_roll_mps2_; }
 
     bool accelerometer_is_alone() const noexcept {
         const float least = lesser_contradiction_mps2();

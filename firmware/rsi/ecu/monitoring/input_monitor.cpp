@@ -30,6 +30,12 @@ constexpr float everyday_force_mps2 = 3.5F;
 constexpr float largest_fine_step_mps = 0.05F;
 constexpr float further_than_any_reference = 1.0e6F;
 
+// Codes of sensors that say nothing of the accelerometer's mean. Those in which it may itself be the wrong
+// one are not among them: what it is corrected by may end them.
+constexpr CodeSet teaches_no_offset =
+    set_of(DiagnosticCode::lateral_acceleration_stuck, DiagnosticCode::roll_angle_stuck,
+           DiagnosticCode::yaw_rate_stuck, DiagnosticCode::speed_stuck, row::reference, row::yaw_rate);
+
 // Bank of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
@@ -82,7 +88,9 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     const TravelDirection direction = direction_;          // a stall turns no vehicle round
     const StartingAngle starting_angle = starting_angle_;  // an angle that was right before may be large now
     const MassCheck mass = mass_;
+    const LateralOffset lateral_offset = lateral_offset_;
     *this = InputMonitor{};
+    lateral_offset_ = lateral_offset;
     mass_ = mass;
     mass_.start(parameters);
     starting_angle_ = starting_angle;
@@ -104,11 +112,13 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
     const bool all_are_references = (memory.active_codes() & no_reference_codes) == 0U;
-    const rsi::Inputs references = all_are_references ? inputs : references_of(inputs, memory.active_codes());
+    rsi::Inputs references = all_are_references ? inputs : references_of(inputs, memory.active_codes());
+    // As it came: a changing correction would hide a value that repeats itself.
     check_stuck(references, memory);
+    references.lateral_specific_force_mps2 -= lateral_offset_.correction_mps2();
     const bool contradicted = (memory.confirmed_codes() & roll_contradictions) != 0U;
     Symptoms seen = roll_symptoms(references, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
-    seen |= turn_symptoms(references, before);
+    seen |= turn_symptoms(references, before, memory.confirmed_codes());
     seen |= vertical_symptoms(references, before);
     seen |= reference_symptoms(references, before);
     seen |= observer_symptoms(inputs, before);
@@ -139,7 +149,8 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
         const bool calm = rsi::is_within_magnitude(inputs.roll_rate_radps, calm_roll_rate_radps) &&
                           rsi::is_within_magnitude(lateral_.last_good(), everyday_force_mps2);
         qualified.lateral_specific_force_mps2 =
-            lateral_.qualify(inputs.lateral_specific_force_mps2, memory, {0.0F, 0.0F, calm});
+            lateral_.qualify(inputs.lateral_specific_force_mps2, memory, {0.0F, 0.0F, calm}) -
+            lateral_offset_.correction_mps2();
         if (fresh.vertical_acceleration) {
             flight_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2);
             if (flight_.excuses()) {
@@ -258,18 +269,23 @@ Symptoms InputMonitor::vertical_symptoms(const rsi::Inputs& inputs, const rsi::O
            symptom_if(vertical_offset_.is_beyond(!calm), Symptom::vertical_beyond);
 }
 
-Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                                     CodeSet confirmed) noexcept {
     direction_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps,
                              direction_.is_forward());
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
-    rsi::Inputs against_road = inputs;
-    against_road.roll_angle_rad = roll_against_road(inputs);
-    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
+    const float roll_angle = roll_against_road(inputs);
+    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, roll_angle);
     force_vote_.assume_load(sure_load_excess(before));
-    force_vote_.update(against_road, direction_.is_forward());
+    force_vote_.update(inputs, roll_angle, direction_.is_forward());
+    if (LateralOffset::learns_at(yaw_acceleration)) {
+        learn_offset(inputs.lateral_specific_force_mps2 - yaw_acceleration, before, confirmed);
+    }
     slow_vehicle_.update(inputs);
+    const bool is_impossible =
+        slow_vehicle_.lateral_acceleration_is_impossible() || lateral_offset_.is_beyond();
     return gain_symptoms(before) | symptom_if(turn_consistency_.known(), Symptom::turn_valid) |
            symptom_if(turn_consistency_.agrees(), Symptom::turn_within) |
            symptom_if(rsi::absolute(yaw_acceleration) > clear_force_mps2, Symptom::turn_clear) |
@@ -282,7 +298,16 @@ Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outpu
            symptom_if(force_vote_.roll_motion_agrees(), Symptom::roll_force_within) |
            symptom_if(force_vote_.accelerometer_is_alone(), Symptom::lateral_alone) |
            symptom_if(force_vote_.accelerometer_is_suspect(), Symptom::lateral_suspect) |
-           symptom_if(slow_vehicle_.lateral_acceleration_is_impossible(), Symptom::slow_vehicle_beyond);
+           symptom_if(is_impossible, Symptom::lateral_impossible);
+}
+
+// Without a roll motion to compare with, the yaw rate decides alone.
+[[gnu::noinline]] void InputMonitor::learn_offset(float beyond_yaw_mps2, const rsi::Outputs& before,
+                                                  CodeSet confirmed) noexcept {
+    if (((confirmed & teaches_no_offset) == 0U) && (before.state != RSI_STATE_WARNING)) {
+        lateral_offset_.update(beyond_yaw_mps2,
+                               force_vote_.known() ? force_vote_.beyond_roll_mps2() : beyond_yaw_mps2);
+    }
 }
 
 // Ignores an invalidated roll angle, and wheel speed during a slide, as at the end of a spin.

@@ -5,6 +5,7 @@
 #include "rsi/ecu/monitoring/flight.hpp"
 #include "rsi/ecu/monitoring/force_gain.hpp"
 #include "rsi/ecu/monitoring/force_vote.hpp"
+#include "rsi/ecu/monitoring/lateral_offset.hpp"
 #include "rsi/ecu/monitoring/mass_check.hpp"
 #include "rsi/ecu/monitoring/roll_consistency.hpp"
 #include "rsi/ecu/monitoring/roll_reference_check.hpp"
@@ -43,13 +44,21 @@ class InputMonitor {
     rsi::Inputs qualify(const rsi::Inputs& inputs, const FreshFrames& fresh, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
 
+    // Offset of the lateral accelerometer, as minutes of driving have shown it; start() keeps it.
+    const LateralOffset& lateral_offset() const noexcept { return lateral_offset_; }
+    // That of the trip before. False, with nothing restored, for a value out of range.
+    [[gnu::cold]] bool restore_offset(float learnt_mps2) noexcept {
+        return lateral_offset_.restore(learnt_mps2);
+    }
+
  private:
     rsi::Inputs check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
                            DiagnosticMemory& memory) noexcept;
     void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
     Symptoms roll_symptoms(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
     Symptoms isolation_symptoms(const rsi::Inputs& inputs) const noexcept;
-    Symptoms turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Symptoms turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before, CodeSet confirmed) noexcept;
+    void learn_offset(float beyond_yaw_mps2, const rsi::Outputs& before, CodeSet confirmed) noexcept;
     Symptoms gain_symptoms(const rsi::Outputs& before) noexcept;
     Symptoms vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
     Symptoms reference_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
@@ -110,6 +119,7 @@ class InputMonitor {
     Flight flight_{};
     SensorNoise speed_noise_{};
     MassCheck mass_{};
+    LateralOffset lateral_offset_{};
     float turned_rad_{0.0F};  // integral of the roll rate, as a reference
     // The faulty one of roll rate and roll angle, as long as they contradict each other.
     OfRoll wrong_of_roll_{otherwise_wrong};

@@ -67,7 +67,7 @@ inline constexpr DiagnosticCode mass = DiagnosticCode::vehicle_mass_contradicts_
 // The first row of each code that fits counts. If none does, the code is neither set nor cleared.
 inline constexpr std::array<Signature, 28> signatures{{
     sets(row::lateral, Symptom::lateral_sign_alone),
-    sets(row::lateral, Symptom::slow_vehicle_beyond),
+    sets(row::lateral, Symptom::lateral_impossible),
     sets(row::lateral, Symptom::lateral_alone).unless(Symptom::spinning).unless(Symptom::roll_force_within),
     // The observer is made of it, and something else contradicts it too.
     sets(row::lateral, Symptom::observer_beyond)

@@ -26,8 +26,9 @@ enum class Symptom : std::uint8_t {
     gain_valid,
     gain_beyond,
 
-    // Lateral acceleration, what a slow vehicle can have: slow_vehicle.hpp
-    slow_vehicle_beyond,
+    // Lateral acceleration, what a slow vehicle can have, or a sensor over minutes: slow_vehicle.hpp,
+    // lateral_offset.hpp
+    lateral_impossible,
 
     // Roll angle, integrated roll rate: roll_consistency.hpp
     roll_valid,
