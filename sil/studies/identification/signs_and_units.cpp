@@ -23,7 +23,7 @@ constexpr double least_gradient_deg =
 constexpr double largest_gradient_deg = 40.0;
 constexpr double clear_correlation = 0.5;
 constexpr double same_motion_correlation = 0.9;  // of one motion in two units; a skid has less
-constexpr double tipping_roll_rad = 0.35;  // later samples are blows
+constexpr double tipping_roll_rad = 0.35;        // later samples are blows
 
 struct Agreement {
     double slope{};  // of y over x
@@ -66,8 +66,8 @@ class SignsAndUnits {
                 turn.push_back(yaw_rate[k] * speed[k]);
             }
             refuse_wrong_turn(agreement(turn, lateral, [&](std::size_t k) {
-                return speed[k] > slowest_turn_mps && (std::abs(turn[k]) > clear_turn_mps2 ||
-                                                       std::abs(lateral[k]) > beyond_bank_mps2);
+                return speed[k] > slowest_turn_mps &&
+                       (std::abs(turn[k]) > clear_turn_mps2 || std::abs(lateral[k]) > beyond_bank_mps2);
             }));
             refuse_wrong_steering(turn, speed);
         } else {
