@@ -101,6 +101,25 @@ TEST(ALateralOffset, TakesMinutes) {
     EXPECT_EQ(memory.offset.correction_mps2(), 0.0F) << "and forgets as it has learnt";
 }
 
+TEST(ALateralOffset, TakesAsLongByEitherReference) {
+    for (const bool yaw_first : {true, false}) {
+        Memory memory;
+        memory.drive(many, yaw_first ? 1.0F : 0.0F, yaw_first ? 0.0F : 1.0F);
+        memory.drive(6120, 1.0F);
+        EXPECT_EQ(memory.offset.correction_mps2(), 0.0F);
+        memory.drive(30, 1.0F);
+        EXPECT_GT(memory.offset.correction_mps2(), 0.0F);
+    }
+}
+
+TEST(ALateralOffset, BeginsAtNone) {
+    for (const float by_yaw : {0.2F, 2.9F}) {
+        Memory memory;
+        memory.drive(2000, by_yaw, 3.1F - by_yaw);
+        EXPECT_EQ(memory.offset.correction_mps2(), 0.0F);
+    }
+}
+
 TEST(ALateralOffset, LearnsNearlyStraightOn) {
     for (const float side : {1.0F, -1.0F}) {
         EXPECT_TRUE(LateralOffset::learns_at(side * 1.49F));
@@ -130,6 +149,15 @@ TEST(ALateralOffset, GoesOnFromTheTripBefore) {
         EXPECT_EQ(offset.correction_mps2(), std::fmin(std::fmax(learnt, -limit_mps2), limit_mps2));
         EXPECT_EQ(offset.is_beyond(), std::fabs(learnt) > limit_mps2);
     }
+}
+
+TEST(ALateralOffset, IsNoneOnceItIsWithinTheTolerance) {
+    LateralOffset offset;
+    EXPECT_TRUE(offset.restore(2.0F));
+    EXPECT_TRUE(offset.restore(0.1F));
+    EXPECT_FALSE(offset.is_beyond());
+    EXPECT_EQ(offset.learnt_mps2(), 0.0F);
+    EXPECT_EQ(offset.correction_mps2(), 0.0F);
 }
 
 TEST(ALateralOffset, DoesNotGoOnFromWhatIsOutOfRange) {

@@ -61,16 +61,14 @@ class LateralOffset {
 
     // Nothing up to the tolerance, and all of it from twice that on; no step between.
     void decide() noexcept {
-        if (rsi::is_within_magnitude(by_yaw_mps2_, tolerance_mps2) ||
-            rsi::is_within_magnitude(by_roll_mps2_, tolerance_mps2) ||
-            !(by_yaw_mps2_ * by_roll_mps2_ > 0.0F)) {
+        const float side = (by_yaw_mps2_ > 0.0F) ? 1.0F : -1.0F;
+        const float size = rsi::smaller(side * by_yaw_mps2_, side * by_roll_mps2_);
+        if (!(size > tolerance_mps2)) {
             learnt_mps2_ = 0.0F;
             correction_mps2_ = 0.0F;
             is_beyond_ = false;
             return;
         }
-        const float side = (by_yaw_mps2_ > 0.0F) ? 1.0F : -1.0F;
-        const float size = rsi::smaller(side * by_yaw_mps2_, side * by_roll_mps2_);
         const float corrected = rsi::smaller(size, 2.0F * (size - tolerance_mps2));
         learnt_mps2_ = side * size;
         correction_mps2_ = side * rsi::smaller(corrected, beyond_mps2);
