@@ -43,6 +43,13 @@ const std::vector<KnownUndetected>& undetected_in_states() {
          "slides and banks have as much between yaw rate times speed and the lateral acceleration"},
         {FaultKind::gain, FaultPlace::all_signals, 0,
          "all agree, but for gravity in the vertical acceleration"},
+        {FaultKind::gain, FaultPlace::roll_rate, 0,
+         "open: no check compares the gains of roll rate and roll angle"},
+        {FaultKind::gain, FaultPlace::yaw_rate, 0,
+         "open: without speed, yaw rate or the right steering angle nothing bounds the trend, and the "
+         "forecast takes the force for them"},
+        {FaultKind::noise_alone, FaultPlace::yaw_rate, 0,
+         "open: it makes another acceleration at the CG for a moment, and the warning is held for 1 s"},
         {FaultKind::turned_about_x, FaultPlace::inertial_signals, 0,
          "6 deg are 1 m/s^2 of gravity, a road's bank to every other sensor; minutes of driving show it "
          "(offsets that last)"},
