@@ -76,38 +76,36 @@ def short_name(name):
     return kept.removesuffix(" const").split(" ")[-1]
 
 
-def inline_places(path, addresses):
-    """For every address the functions that it is in with file and line, the innermost first: those inlined and the one
-    around them."""
+def _frames(path, addresses):
+    """For every address the functions that it is in, the innermost first: those inlined and the one around them, each as
+    addr2line writes it, with its place."""
     text = "\n".join(f"{address:#x}" for address in addresses)
-    address, places, name = None, [], None
-    for line in run("addr2line", "-a", "-i", "-f", "-C", "-e", path, stdin=text).splitlines():
-        if line.startswith("0x"):
-            if address is not None:
-                yield address, places
-            address, places, name = int(line, 16), [], None
-        elif name is None:
-            name = line
-        else:
-            file, _, number = line.split(" ", 1)[0].rpartition(":")
-            places.append((short_name(name), file, int(number) if number.isdigit() else 0))
-            name = None
-    if address is not None:
-        yield address, places
-
-
-def inline_frames(path, addresses):
-    """For every address the functions that it is in, the innermost first: those inlined and the one around them."""
-    text = "\n".join(f"{address:#x}" for address in addresses)
-    address, frames, is_name = None, [], True
+    address, frames, name = None, [], None
     for line in run("addr2line", "-a", "-i", "-f", "-C", "-e", path, stdin=text).splitlines():
         if line.startswith("0x"):
             if address is not None:
                 yield address, frames
-            address, frames, is_name = int(line, 16), [], True
-            continue
-        if is_name:
-            frames.append(plain_name(line))
-        is_name = not is_name
+            address, frames, name = int(line, 16), [], None
+        elif name is None:
+            name = line
+        else:
+            frames.append((name, line))
+            name = None
     if address is not None:
         yield address, frames
+
+
+def inline_frames(path, addresses):
+    """For every address the functions that it is in, the innermost first."""
+    for address, frames in _frames(path, addresses):
+        yield address, [plain_name(name) for name, _ in frames]
+
+
+def inline_places(path, addresses):
+    """For every address the functions that it is in with file and line, the innermost first."""
+    for address, frames in _frames(path, addresses):
+        places = []
+        for name, place in frames:
+            file, _, number = place.split(" ", 1)[0].rpartition(":")
+            places.append((short_name(name), file, int(number) if number.isdigit() else 0))
+        yield address, places

@@ -10,8 +10,7 @@ import re
 import binary_tools
 import loop_count
 
-_CONDITIONS = "eq|ne|cs|hs|cc|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
-_CONDITION = re.compile(rf"({_CONDITIONS})(?:\.[nw])?$")
+_CONDITIONS = loop_count.CONDITIONS
 _BRANCH = re.compile(rf"(bx|blx|bl|b)({_CONDITIONS})?(?:\.[nw])?")
 _TABLE_LOAD = re.compile(rf"ldr({_CONDITIONS})?(?:\.w)? pc, \[(\w+), (\w+), lsl #2\]")
 _TABLE_BRANCH = re.compile(r"tb(b|h) \[pc, (\w+)(?:, lsl #1)?\]")
@@ -123,7 +122,7 @@ class Block:
 
 
 def _is_conditional(instruction):
-    return bool(_CONDITION.search(instruction.mnemonic))
+    return bool(loop_count.CONDITION.search(instruction.mnemonic))
 
 
 class _Decoder:

@@ -4,15 +4,15 @@ in every turn and ends the loop at another value that is a constant apart."""
 import re
 
 _REGISTER = r"(?:r\d+|sb|sl|fp|ip|sp|lr)"
-_CONDITIONS = "eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
-_CONDITION = re.compile(rf"({_CONDITIONS})(?:\.[nw])?$")
-_CALL = re.compile(rf"blx?(?:{_CONDITIONS})?")
+CONDITIONS = "eq|ne|cs|hs|cc|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
+CONDITION = re.compile(rf"({CONDITIONS})(?:\.[nw])?$")
+_CALL = re.compile(rf"blx?(?:{CONDITIONS})?")
 _CALLED = ("r0", "r1", "r2", "r3", "ip", "lr")  # that a called function may change
 _READS = re.compile(r"(str(?!ex)|stm|push|cmp|cmn|tst|teq|vcmp|vst|vpush|b|cb|nop|it|pld|dmb|dsb|isb)")
 _READS_BUT = ("bic", "bfc", "bfi")
 _TWO = re.compile(r"(ldrd|ldrexd|[us]mull|[us]mlal|umaal|smls?ld|vmov)")
 _ALL = re.compile(r"(mcr|mrr?c|cdp|ldc|stc|strex|swp|cps|msr)")
-_SETS_FLAGS = re.compile(rf"cmp|cmn|tst|teq|vmrs|msr|{_CALL.pattern}$|(?!v)\w*s(?:{_CONDITIONS})?$")
+_SETS_FLAGS = re.compile(rf"cmp|cmn|tst|teq|vmrs|msr|{_CALL.pattern}$|(?!v)\w*s(?:{CONDITIONS})?$")
 _ON_EQUAL_OR_NOT = re.compile(r"b(eq|ne)(?:\.[nw])?")
 
 
@@ -122,7 +122,7 @@ def constant_step(instruction, register):
         if number is not None and (len(parts) == 2 or parts[1] == register):
             return number if mnemonic.startswith("add") else -number
     after = re.search(rf"\[{register}\], #(-?\d+)$|\[{register}, #(-?\d+)\]!$", instruction.operands)
-    if after and mnemonic.startswith(("ldr", "str", "vldr", "vstr")) and not _CONDITION.search(mnemonic):
+    if after and mnemonic.startswith(("ldr", "str", "vldr", "vstr")) and not CONDITION.search(mnemonic):
         return int(after[1] or after[2])
     several = re.fullmatch(rf"{register}!, \{{(s|d)(\d+)(?:-[sd](\d+))?\}}", instruction.operands)
     if several and mnemonic in ("vldmia", "vstmia"):
