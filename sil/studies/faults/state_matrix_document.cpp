@@ -197,7 +197,7 @@ std::string detection_table(const StateMatrix& matrix) {
     return markdown(table);
 }
 
-// "630 ms before, +50", or what is said instead of a warning.
+// "630 ms before; CODE after 90 s", or what is said instead of a warning.
 std::string cell_of_offset(const Reaction& reaction) {
     const std::string code =
         reaction.code ? fmt::format("{} after {:.0f} s", reaction.code_name, *reaction.code / 1000.0) : "";

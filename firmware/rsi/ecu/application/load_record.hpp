@@ -19,12 +19,12 @@
 namespace rsi::application {
 
 inline constexpr std::size_t load_record_length = 28U;
+using LoadRecord = std::array<std::uint8_t, load_record_length>;
+
 struct Learnt {
     rsi::LearntLoad load{};
-    float lateral_offset_mps2{0.0F};
+    float lateral_offset_mps2{0.0F};  // of the accelerometer
 };
-
-using LoadRecord = std::array<std::uint8_t, load_record_length>;
 
 // CRC-32 of the parameters, as at offset 4.
 [[gnu::cold]] std::uint32_t check_word_of(const rsi::Parameters& parameters) noexcept;
